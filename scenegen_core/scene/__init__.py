@@ -1,0 +1,1 @@
+"""Rooms and the boxes in them: values, geometry, frames and files."""

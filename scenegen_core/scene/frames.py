@@ -1,0 +1,34 @@
+"""The only place where axes are swapped.
+
+Core: right-handed, z up, heading anticlockwise from +x. Page, glTF and WebXR: right-handed,
+y up; a model's front looks along +z (the glTF convention).
+"""
+
+from __future__ import annotations
+
+from math import pi
+
+import numpy as np
+from numpy.typing import NDArray
+
+Floats = NDArray[np.float64]
+
+
+def to_page(points: Floats) -> Floats:
+    """Core points as page points, (…, 3) metres: x stays, z becomes y, y becomes −z."""
+    return np.stack([points[..., 0], points[..., 2], -points[..., 1]], axis=-1)
+
+
+def to_core(points: Floats) -> Floats:
+    """Page points as core points, (…, 3) metres; the inverse of :func:`to_page`."""
+    return np.stack([points[..., 0], -points[..., 2], points[..., 1]], axis=-1)
+
+
+def page_turn(heading: float) -> float:
+    """The turn about the page's +y, radians, that makes a model's +z front point along heading."""
+    return heading + pi / 2
+
+
+def heading_of_turn(turn: float) -> float:
+    """The heading of a model turned about the page's +y; the inverse of :func:`page_turn`."""
+    return turn - pi / 2

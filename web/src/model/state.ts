@@ -1,0 +1,201 @@
+/**
+ * Everything the page knows, as one frozen value, and everything that can happen to it.
+ *
+ * `reduce(state, action)` is the only thing that makes a new state. The scene on this device is
+ * the truth; the outbox compares it with what the server has acknowledged and sends the rest.
+ * Coordinates are in the core frame: metres, z up, headings anticlockwise from +x; only
+ * `model/frames.ts` knows the y-up frame of three.js.
+ */
+import type {
+  Answer,
+  BoxRecord,
+  CatalogueItem,
+  CategoryInfo,
+  Graph,
+  Inspected,
+  OpeningRecord,
+  Placement,
+  RoomInfo,
+  RoomRecord,
+  SceneRecord,
+  Surface,
+} from "../net/protocol.gen";
+
+export type Point = readonly [number, number];
+export type Vector3 = readonly [number, number, number];
+
+export type Tool = "select" | "room" | "box" | "door" | "window";
+export type CameraMode = "orbit" | "top" | "walk";
+export type Mode = "manual" | "scenegen";
+export type Layer = "heat" | "graph" | "labels";
+
+/** What is being drawn, before it becomes part of the scene. */
+export type Draft =
+  | { readonly kind: "room"; readonly corners: readonly Point[]; readonly pointer: Point | null }
+  | { readonly kind: "box-floor"; readonly start: Point; readonly end: Point; readonly heading: number }
+  | { readonly kind: "box-height"; readonly box: BoxRecord }
+  | { readonly kind: "opening"; readonly opening: "door" | "window"; readonly start: Point; readonly end: Point };
+
+/** What of the scene is selected. */
+export type Selection =
+  | { readonly kind: "box"; readonly id: string }
+  | { readonly kind: "door" | "window"; readonly id: string }
+  | { readonly kind: "corner"; readonly index: number };
+
+export interface Pose {
+  readonly center: Vector3;
+  readonly heading: number;
+}
+
+/** A heat map as it came over the socket: row 0 at the smallest y (floor, tops) or at the floor. */
+export interface HeatMap {
+  readonly surface: Surface;
+  readonly origin: Point;
+  readonly cell: number;
+  readonly rows: number;
+  readonly columns: number;
+  readonly min: number;
+  readonly max: number;
+  readonly values: Uint8Array<ArrayBuffer>;
+}
+
+/** An object on its way into the room. */
+export interface Placing {
+  /** The id of the ask; answers that carry another are stale. */
+  readonly ask: string;
+  readonly mode: Mode;
+  readonly category: string;
+  readonly item: string | null;
+  /** What the user typed; null for the usual size. */
+  readonly wishedSize: Vector3 | null;
+  /** The size in force (the server's once it has answered). */
+  readonly size: Vector3;
+  /** The GLB of the object, once known. */
+  readonly asset: string | null;
+  /** Where the ghost stands; null until there is somewhere. */
+  readonly pose: Pose | null;
+  /** Which alternative the ghost stands on; null once it was dragged away. */
+  readonly alternative: number | null;
+  /** Waiting for the first or a newer answer; the old map stays meanwhile. */
+  readonly computing: boolean;
+  readonly answer: Answer | null;
+  /** By surface; those of a stale ask or revision never get here. */
+  readonly heatMaps: readonly HeatMap[];
+  /** What the server says of the pose that the ghost was dragged to. */
+  readonly inspected: Inspected | null;
+}
+
+export type ConnectionStatus = "connecting" | "online" | "offline";
+
+export interface Connection {
+  readonly status: ConnectionStatus;
+  readonly session: string | null;
+  readonly revision: number;
+  /** Edits that are not acknowledged yet. */
+  readonly unsent: number;
+}
+
+/** A sentence for the person: what happened, or what went wrong and what to do. */
+export interface Notice {
+  readonly id: number;
+  readonly tone: "info" | "success" | "problem";
+  readonly text: string;
+}
+
+export interface Shown {
+  readonly camera: CameraMode;
+  readonly heat: boolean;
+  readonly graph: boolean;
+  readonly labels: boolean;
+  readonly heatOpacity: number;
+  /** Relations of the graph that are switched off. */
+  readonly hiddenRelations: readonly string[];
+}
+
+export interface Lists {
+  readonly categories: readonly CategoryInfo[];
+  readonly catalogue: readonly CatalogueItem[];
+  readonly rooms: readonly RoomInfo[];
+}
+
+/** The heat map's value under the pointer. */
+export interface Probe {
+  readonly surface: Surface;
+  readonly at: Vector3;
+  /** 0 to 1, or null where nobody can stand. */
+  readonly likelihood: number | null;
+}
+
+export interface State {
+  readonly scene: SceneRecord;
+  readonly past: readonly SceneRecord[];
+  readonly future: readonly SceneRecord[];
+  readonly tool: Tool;
+  readonly draft: Draft | null;
+  readonly selection: Selection | null;
+  readonly placing: Placing | null;
+  readonly shown: Shown;
+  readonly connection: Connection;
+  readonly lists: Lists;
+  /** Which GLB shows which box: id to digest. */
+  readonly models: Readonly<Record<string, string>>;
+  readonly graph: Graph | null;
+  readonly probe: Probe | null;
+  readonly notice: Notice | null;
+  readonly help: boolean;
+  /** True until the person has done something: the camera turns slowly, one button invites. */
+  readonly welcome: boolean;
+}
+
+export type Action =
+  // the room
+  | { readonly type: "open-scene"; readonly scene: SceneRecord }
+  | { readonly type: "new-room" }
+  | { readonly type: "edit-room"; readonly room: RoomRecord; readonly done: boolean }
+  | { readonly type: "edit-box"; readonly box: BoxRecord; readonly done: boolean }
+  | { readonly type: "edit-opening"; readonly opening: "door" | "window"; readonly value: OpeningRecord; readonly done: boolean }
+  | { readonly type: "move-corner"; readonly index: number; readonly to: Point; readonly done: boolean }
+  | { readonly type: "nudge"; readonly by: Point }
+  | { readonly type: "turn"; readonly by: number }
+  | { readonly type: "delete-selected" }
+  | { readonly type: "duplicate-selected" }
+  | { readonly type: "undo" }
+  | { readonly type: "redo" }
+  // drawing: the view reports where the pointer is on the floor (snapping is the reducer's)
+  | { readonly type: "choose-tool"; readonly tool: Tool }
+  | { readonly type: "draw-down"; readonly at: Point; readonly free: boolean }
+  | { readonly type: "draw-move"; readonly at: Point; readonly free: boolean }
+  | { readonly type: "draw-up"; readonly at: Point; readonly free: boolean }
+  | { readonly type: "draw-height"; readonly height: number; readonly done: boolean }
+  | { readonly type: "close-outline" }
+  | { readonly type: "remove-last-corner" }
+  | { readonly type: "select"; readonly selection: Selection | null }
+  | { readonly type: "cycle-selection"; readonly by: 1 | -1 }
+  // placing
+  | { readonly type: "place"; readonly category: string; readonly item: string | null; readonly size: Vector3 | null; readonly mode: Mode; readonly view: Point }
+  | { readonly type: "set-mode"; readonly mode: Mode; readonly view: Point }
+  | { readonly type: "set-size"; readonly size: Vector3 | null }
+  | { readonly type: "show-alternative"; readonly rank: number }
+  | { readonly type: "drag-ghost"; readonly pose: Pose; readonly done: boolean }
+  | { readonly type: "confirm" }
+  | { readonly type: "cancel" }
+  // what is shown
+  | { readonly type: "set-camera"; readonly camera: CameraMode }
+  | { readonly type: "toggle-layer"; readonly layer: Layer }
+  | { readonly type: "set-heat-opacity"; readonly opacity: number }
+  | { readonly type: "toggle-relation"; readonly relation: string }
+  | { readonly type: "probe"; readonly probe: Probe | null }
+  | { readonly type: "toggle-help" }
+  | { readonly type: "touched" }
+  | { readonly type: "notify"; readonly tone: Notice["tone"]; readonly text: string }
+  | { readonly type: "dismiss-notice" }
+  // what came over the socket
+  | { readonly type: "connection"; readonly connection: Partial<Connection> }
+  | { readonly type: "lists"; readonly lists: Lists }
+  | { readonly type: "resumed"; readonly scene: SceneRecord }
+  | { readonly type: "models"; readonly boxes: Readonly<Record<string, string>> }
+  | { readonly type: "answer"; readonly answer: Answer; readonly heatMaps: readonly HeatMap[] }
+  | { readonly type: "inspected"; readonly inspected: Inspected }
+  | { readonly type: "graph"; readonly graph: Graph };
+
+export type { Placement };
