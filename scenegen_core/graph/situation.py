@@ -1,0 +1,67 @@
+"""A situation: candidates in surroundings, with what several relations need measured once."""
+
+from __future__ import annotations
+
+from functools import cached_property
+
+from scenegen_core.graph.candidates import Candidates
+from scenegen_core.graph.surroundings import Surroundings
+from scenegen_core.scene.geometry import (
+    Bools,
+    Floats,
+    directions,
+    distances_to_segments,
+    gaps,
+    left_of,
+    rays_hit,
+)
+
+TOUCH = 1e-9  # metres; footprints that only share an edge do not overlap (rounding)
+
+
+class Situation:
+    """n candidates among m boxes and l walls; every measure is made when first asked for."""
+
+    def __init__(self, candidates: Candidates, surroundings: Surroundings) -> None:
+        self.candidates = candidates
+        self.surroundings = surroundings
+
+    @cached_property
+    def gaps(self) -> Floats:
+        """δ(B(O_k), B(O_j)), metres, negative where they overlap: (n, m)."""
+        return gaps(self.candidates.footprints, self.surroundings.footprints)
+
+    @cached_property
+    def wall_distances(self) -> Floats:
+        """δ(Ȯ_k, W_i) from the centers, metres: (n, l)."""
+        return distances_to_segments(self.candidates.centers[:, :2], self.surroundings.walls)
+
+    @cached_property
+    def wall_gaps(self) -> Floats:
+        """δ(B(O_k), W_i) from the footprints, metres: (n, l)."""
+        return gaps(self.candidates.footprints, self.surroundings.wall_shapes)
+
+    @cached_property
+    def fronts(self) -> Floats:
+        """The primary axes a_k: (n, 2)."""
+        return directions(self.candidates.headings)
+
+    @cached_property
+    def faces(self) -> Bools:
+        """h(Ȯ_k, a_k, B(O_j)): (n, m)."""
+        return self._rays_hit(self.fronts)
+
+    @cached_property
+    def flanks(self) -> Bools:
+        """h(Ȯ_k, ±b_k, B(O_j)): (n, m)."""
+        side = left_of(self.fronts)
+        return self._rays_hit(side) | self._rays_hit(-side)
+
+    @cached_property
+    def meets(self) -> Bools:
+        """Do the footprints overlap by more than a touch?: (n, m)."""
+        return self.gaps < -TOUCH
+
+    def _rays_hit(self, toward: Floats) -> Bools:
+        centers = self.candidates.centers[:, :2]
+        return rays_hit(centers, toward, self.surroundings.footprints)

@@ -1,0 +1,58 @@
+"""Surroundings: what candidates are measured against, as arrays."""
+
+from __future__ import annotations
+
+from functools import cached_property
+
+import numpy as np
+
+from scenegen_core.scene.geometry import Bools, Floats, Ints, Rectangles, walls_as_rectangles
+from scenegen_core.scene.model import OTHER, Category, Scene
+
+
+class Surroundings:
+    """A scene as arrays, its m boxes sorted into ``groups``; of a group unknown: Other.
+
+    Read-only; made once for a scene and shared by all that measure in it.
+    """
+
+    def __init__(self, scene: Scene, groups: tuple[Category, ...]) -> None:
+        self.scene = scene
+        self.groups = groups
+        boxes = scene.boxes
+        self.ids = tuple(box.id for box in boxes)
+        self.parents = tuple(box.parent for box in boxes)
+        self.centers: Floats = np.array([box.center for box in boxes], dtype=float).reshape(-1, 3)
+        sizes = np.array([box.size for box in boxes], dtype=float).reshape(-1, 3)
+        self.footprints = Rectangles(
+            self.centers[:, :2],
+            sizes[:, :2] / 2,
+            np.array([box.heading for box in boxes], dtype=float),
+        )
+        self.bottoms: Floats = self.centers[:, 2] - sizes[:, 2] / 2
+        self.tops: Floats = self.centers[:, 2] + sizes[:, 2] / 2
+        self.fronts_known: Bools = np.array([box.front_known for box in boxes], dtype=bool)
+        self.walls: Floats = np.array(scene.room.walls, dtype=float)
+
+    def __len__(self) -> int:
+        return len(self.ids)
+
+    @cached_property
+    def group_of(self) -> Ints:
+        """The index of each box's group: (m,)."""
+        index = {group.name: i for i, group in enumerate(self.groups)}
+        other = index.get(OTHER, -1)
+        return np.array(
+            [index.get(box.category, other) for box in self.scene.boxes], dtype=np.int64
+        )
+
+    @cached_property
+    def membership(self) -> Floats:
+        """1 where a box belongs to a group: (m, groups); sums over groups are products with it."""
+        belongs = self.group_of[:, None] == np.arange(len(self.groups))
+        return np.asarray(belongs, dtype=np.float64)
+
+    @cached_property
+    def wall_shapes(self) -> Rectangles:
+        """The walls as rectangles without width."""
+        return walls_as_rectangles(self.walls)

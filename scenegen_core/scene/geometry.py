@@ -1,0 +1,172 @@
+"""Plane geometry on whole arrays; a single shape is n = 1.
+
+Points are (n, 2) metres, segments (m, 2, 2), directions (n, 2) unit vectors. A rectangle is its
+center, its half sizes (along and across its heading) and its heading.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+Floats = NDArray[np.float64]
+Bools = NDArray[np.bool_]
+Ints = NDArray[np.int64]
+
+PAIRS_A_BLOCK = 400_000  # keeps the temporaries of one block in the processor's cache
+
+
+@dataclass(frozen=True, slots=True)
+class Rectangles:
+    """n upright footprints: centers (n, 2), halves (n, 2), headings (n,)."""
+
+    centers: Floats
+    halves: Floats
+    headings: Floats
+
+    def __len__(self) -> int:
+        return len(self.centers)
+
+    def __getitem__(self, index: slice | Ints | Bools) -> Rectangles:
+        return Rectangles(self.centers[index], self.halves[index], self.headings[index])
+
+    @property
+    def axes(self) -> Floats:
+        """The unit vectors a_k and b_k of each: (n, 2 axes, 2)."""
+        along = directions(self.headings)
+        return np.stack([along, left_of(along)], axis=1)
+
+    @property
+    def corners(self) -> Floats:
+        """Corners anticlockwise: (n, 4, 2)."""
+        signs = np.array([[1, 1], [-1, 1], [-1, -1], [1, -1]], dtype=float)
+        offsets = (signs * self.halves[:, None, :]) @ self.axes
+        return self.centers[:, None, :] + offsets
+
+
+def directions(headings: Floats) -> Floats:
+    """Unit vectors of headings (radians): (n, 2)."""
+    return np.stack([np.cos(headings), np.sin(headings)], axis=-1)
+
+
+def left_of(vectors: Floats) -> Floats:
+    """Vectors turned a quarter anticlockwise: b_k of a_k."""
+    return np.stack([-vectors[..., 1], vectors[..., 0]], axis=-1)
+
+
+def wrapped(angles: Floats) -> Floats:
+    """Angles in [-π, π)."""
+    return (angles + np.pi) % (2 * np.pi) - np.pi
+
+
+def walls_as_rectangles(segments: Floats) -> Rectangles:
+    """Segments as rectangles without width, so that gaps to walls are gaps to rectangles."""
+    run = segments[:, 1] - segments[:, 0]
+    lengths = np.hypot(run[:, 0], run[:, 1])
+    halves = np.stack([lengths / 2, np.zeros_like(lengths)], axis=1)
+    return Rectangles(segments.mean(axis=1), halves, np.arctan2(run[:, 1], run[:, 0]))
+
+
+def gaps(shapes: Rectangles, others: Rectangles) -> Floats:
+    """Signed gap between every pair, metres: (shapes, others).
+
+    Positive: the shortest distance. Negative: how far one must move to part them.
+    """
+    out = np.empty((len(shapes), len(others)))
+    rows = max(1, PAIRS_A_BLOCK // max(1, len(others)))
+    for start in range(0, len(shapes), rows):
+        out[start : start + rows] = _gaps_of_block(shapes[start : start + rows], others)
+    return out
+
+
+def _gaps_of_block(shapes: Rectangles, others: Rectangles) -> Floats:
+    """Gaps of few enough pairs.
+
+    Two rectangles that do not meet are nearest at a corner of one of them, so the distance is the
+    least of eight distances from a corner to a rectangle. Two that meet have the separating-axis
+    depth: the largest (least negative) separation along the four edge normals.
+    """
+    offset = shapes.centers[:, None, :] - others.centers[None, :, :]
+    turn = shapes.headings[:, None] - others.headings[None, :]
+    cos, sin = np.cos(turn), np.sin(turn)
+    (h1, w1), (h2, w2) = shapes.halves.T, others.halves.T
+    h1, w1 = h1[:, None], w1[:, None]
+    x2, y2 = _in_frame(offset, others.headings[None, :])
+    x1, y1 = _in_frame(-offset, shapes.headings[:, None])
+    shadow_cos, shadow_sin = np.abs(cos), np.abs(sin)
+    depth = np.maximum(
+        np.maximum(
+            np.abs(x2) - h2 - h1 * shadow_cos - w1 * shadow_sin,
+            np.abs(y2) - w2 - h1 * shadow_sin - w1 * shadow_cos,
+        ),
+        np.maximum(
+            np.abs(x1) - h1 - h2 * shadow_cos - w2 * shadow_sin,
+            np.abs(y1) - w1 - h2 * shadow_sin - w2 * shadow_cos,
+        ),
+    )
+    squared = np.full(depth.shape, np.inf)
+    for i, j in ((1, 1), (-1, 1), (-1, -1), (1, -1)):
+        # a corner of ours in their frame, then a corner of theirs in ours
+        ours = _outside(x2 + i * h1 * cos - j * w1 * sin, y2 + i * h1 * sin + j * w1 * cos, h2, w2)
+        theirs = _outside(
+            x1 + i * h2 * cos + j * w2 * sin, y1 - i * h2 * sin + j * w2 * cos, h1, w1
+        )
+        squared = np.minimum(squared, np.minimum(ours, theirs))
+    return np.where(depth > 0, np.sqrt(squared), depth)
+
+
+def _in_frame(offset: Floats, heading: Floats) -> tuple[Floats, Floats]:
+    """Coordinates of offsets along and across headings."""
+    cos, sin = np.cos(heading), np.sin(heading)
+    x, y = offset[..., 0], offset[..., 1]
+    return x * cos + y * sin, y * cos - x * sin
+
+
+def _outside(x: Floats, y: Floats, half_x: Floats, half_y: Floats) -> Floats:
+    """Squared distance of points to a rectangle at the origin."""
+    beyond_x, beyond_y = np.maximum(np.abs(x) - half_x, 0), np.maximum(np.abs(y) - half_y, 0)
+    squared: Floats = beyond_x * beyond_x + beyond_y * beyond_y
+    return squared
+
+
+def distances_to_segments(points: Floats, segments: Floats) -> Floats:
+    """Shortest distance of every point to every segment, metres: (points, segments)."""
+    start, run = segments[:, 0], segments[:, 1] - segments[:, 0]
+    offset = points[:, None, :] - start[None]
+    length2 = np.maximum((run**2).sum(axis=1), 1e-18)
+    along = np.clip((offset * run).sum(axis=2) / length2, 0, 1)
+    distances: Floats = np.linalg.norm(offset - along[..., None] * run, axis=2)
+    return distances
+
+
+def ray_lengths(points: Floats, toward: Floats, segments: Floats) -> Floats:
+    """How far each ray runs until it meets each segment, metres, inf if never: (rays, segments)."""
+    start, run = segments[:, 0], segments[:, 1] - segments[:, 0]
+    offset = start[None] - points[:, None, :]
+    facing = toward[:, None, :]
+    cross = facing[..., 0] * run[:, 1] - facing[..., 1] * run[:, 0]
+    with np.errstate(divide="ignore", invalid="ignore"):
+        far = (offset[..., 0] * run[:, 1] - offset[..., 1] * run[:, 0]) / cross
+        where = (offset[..., 0] * facing[..., 1] - offset[..., 1] * facing[..., 0]) / cross
+        meets = (far >= 0) & (where >= 0) & (where <= 1)
+    return np.where(meets, far, np.inf)
+
+
+def rays_hit(points: Floats, toward: Floats, others: Rectangles) -> Bools:
+    """Does each ray meet each rectangle (the paper's h)?: (rays, rectangles)."""
+    offset = points[:, None, :] - others.centers[None]
+    x, y = _in_frame(offset, others.headings[None, :])
+    dx, dy = _in_frame(toward[:, None, :], others.headings[None, :])
+    enter = np.zeros(x.shape)
+    leave = np.full(x.shape, np.inf)
+    for position, slope, half in ((x, dx, others.halves[:, 0]), (y, dy, others.halves[:, 1])):
+        level = np.abs(slope) < 1e-12  # noqa: PLR2004 (parallel to the slab)
+        with np.errstate(divide="ignore", invalid="ignore"):
+            one, two = (-half - position) / slope, (half - position) / slope
+        inside = np.abs(position) <= half
+        near = np.where(level, np.where(inside, -np.inf, np.inf), np.minimum(one, two))
+        far = np.where(level, np.where(inside, np.inf, -np.inf), np.maximum(one, two))
+        enter, leave = np.maximum(enter, near), np.minimum(leave, far)
+    return enter <= leave
