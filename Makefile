@@ -1,0 +1,87 @@
+# `make run` starts the program, `make test` runs every check; both first set up what they lack.
+SHELL := /bin/bash
+.SHELLFLAGS := -euo pipefail -c
+.DEFAULT_GOAL := help
+.DELETE_ON_ERROR:
+.NOTPARALLEL:
+
+PORT ?= 8000
+BIN := .venv/bin
+# The newest Python that will do; `make run PYTHON=/path/to/python3.12` chooses another.
+PYTHON ?= $(firstword $(foreach name,python3 python3.13 python3.12 python3.11,\
+	$(shell $(name) -c 'import sys; sys.exit(sys.version_info < (3, 11))' 2>/dev/null && echo $(name))))
+
+# Stamps: a step runs again only when what it was made from is newer.
+INSTALLED := .venv/.installed
+INSTALLED_FOR_TESTS := .venv/.installed-for-tests
+NODE_MODULES := node_modules/.package-lock.json
+SCANS := web/public/rooms/scans/living-room.json
+PAGE := web/dist/index.html
+PAGE_SOURCES := $(shell find web/src web/public web/*.html -type f -not -path '*/scans/*' 2>/dev/null) \
+	package.json vite.config.ts tsconfig.json
+
+.PHONY: help
+help:  ## show this list
+	@sed -nE 's/^([a-z]+):.*## (.*)/  make \1\t\2/p' $(MAKEFILE_LIST) | expand -t 18
+
+.PHONY: run
+run: $(INSTALLED) $(PAGE)  ## start SceneGen on http://localhost:8000 (another port: PORT=9000)
+	@exec $(BIN)/scenegen serve --port $(PORT)
+
+.PHONY: page
+page: $(PAGE)  ## build the page into web/dist
+
+.PHONY: test
+test: $(INSTALLED_FOR_TESTS) $(PAGE) browser  ## format, lint, types, unit and browser tests
+	$(BIN)/ruff check
+	$(BIN)/ruff format --check
+	npm run --silent lint
+	$(BIN)/mypy
+	npm run --silent check
+	npm run --silent test
+	$(BIN)/python -m server.typescript --check
+	$(BIN)/pytest
+
+.PHONY: browser
+browser: $(INSTALLED_FOR_TESTS)
+	@if command -v chromium chromium-browser google-chrome >/dev/null; then :; \
+	elif [ "$$(id -u)" = 0 ] && command -v apt-get >/dev/null; then \
+		apt-get -qq update && DEBIAN_FRONTEND=noninteractive \
+		apt-get -qq install -y --no-install-recommends chromium; \
+	else $(BIN)/playwright install chromium; fi
+
+.venv/bin/pip:
+	@if [ -z "$(PYTHON)" ]; then \
+		echo 'SceneGen needs Python 3.11 or newer; install it and run make again.' >&2; exit 1; fi
+	@$(PYTHON) -c 'import ensurepip, venv' 2>/dev/null || { \
+		echo 'Python cannot make a virtual environment; install it (Debian, Ubuntu:' \
+		'apt-get install python3-venv) and run make again.' >&2; exit 1; }
+	$(PYTHON) -m venv .venv
+
+$(INSTALLED): pyproject.toml | .venv/bin/pip
+	$(BIN)/pip install --quiet --disable-pip-version-check --editable .
+	@touch $@
+
+$(INSTALLED_FOR_TESTS): pyproject.toml | .venv/bin/pip
+	$(BIN)/pip install --quiet --disable-pip-version-check --editable '.[test]'
+	@touch $@ $(INSTALLED)
+
+$(NODE_MODULES): package.json package-lock.json
+	@node -e 'const [a, b] = process.versions.node.split(".").map(Number); \
+		process.exit(a > 20 || (a === 20 && b >= 19) ? 0 : 1)' 2>/dev/null || { \
+		echo 'SceneGen needs Node 20.19 or newer to build its page; install it from' \
+		'https://nodejs.org and run make again.' >&2; exit 1; }
+	@command -v npm >/dev/null || { \
+		echo 'npm is missing (Debian, Ubuntu: apt-get install npm); install it and run make' \
+		'again.' >&2; exit 1; }
+	npm ci --no-audit --no-fund
+	@touch $@
+
+$(SCANS): scenegen_core/datasets/quest.py scenegen_core/datasets/labels/quest.csv $(NODE_MODULES) \
+		| $(INSTALLED)
+	$(BIN)/python -m scenegen_core.datasets.quest node_modules/@iwer/sem/captures $(@D)
+	@touch $@
+
+$(PAGE): $(PAGE_SOURCES) $(NODE_MODULES) $(SCANS)
+	npm run --silent build
+	@touch $@
