@@ -32,9 +32,19 @@ export type Layer = "heat" | "graph" | "labels";
 /** What is being drawn, before it becomes part of the scene. */
 export type Draft =
   | { readonly kind: "room"; readonly corners: readonly Point[]; readonly pointer: Point | null }
-  | { readonly kind: "box-floor"; readonly start: Point; readonly end: Point; readonly heading: number }
+  | {
+      readonly kind: "box-floor";
+      readonly start: Point;
+      readonly end: Point;
+      readonly heading: number;
+    }
   | { readonly kind: "box-height"; readonly box: BoxRecord }
-  | { readonly kind: "opening"; readonly opening: "door" | "window"; readonly start: Point; readonly end: Point };
+  | {
+      readonly kind: "opening";
+      readonly opening: "door" | "window";
+      readonly start: Point;
+      readonly end: Point;
+    };
 
 /** What of the scene is selected. */
 export type Selection =
@@ -130,6 +140,10 @@ export interface State {
   readonly scene: SceneRecord;
   readonly past: readonly SceneRecord[];
   readonly future: readonly SceneRecord[];
+  /** The scene before the drag that is under way; null when nothing is being dragged. */
+  readonly beforeDrag: SceneRecord | null;
+  /** The next number for the ids of asks, notices and new rooms. */
+  readonly nextId: number;
   readonly tool: Tool;
   readonly draft: Draft | null;
   readonly selection: Selection | null;
@@ -153,8 +167,18 @@ export type Action =
   | { readonly type: "new-room" }
   | { readonly type: "edit-room"; readonly room: RoomRecord; readonly done: boolean }
   | { readonly type: "edit-box"; readonly box: BoxRecord; readonly done: boolean }
-  | { readonly type: "edit-opening"; readonly opening: "door" | "window"; readonly value: OpeningRecord; readonly done: boolean }
-  | { readonly type: "move-corner"; readonly index: number; readonly to: Point; readonly done: boolean }
+  | {
+      readonly type: "edit-opening";
+      readonly opening: "door" | "window";
+      readonly value: OpeningRecord;
+      readonly done: boolean;
+    }
+  | {
+      readonly type: "move-corner";
+      readonly index: number;
+      readonly to: Point;
+      readonly done: boolean;
+    }
   | { readonly type: "nudge"; readonly by: Point }
   | { readonly type: "turn"; readonly by: number }
   | { readonly type: "delete-selected" }
@@ -172,7 +196,14 @@ export type Action =
   | { readonly type: "select"; readonly selection: Selection | null }
   | { readonly type: "cycle-selection"; readonly by: 1 | -1 }
   // placing
-  | { readonly type: "place"; readonly category: string; readonly item: string | null; readonly size: Vector3 | null; readonly mode: Mode; readonly view: Point }
+  | {
+      readonly type: "place";
+      readonly category: string;
+      readonly item: string | null;
+      readonly size: Vector3 | null;
+      readonly mode: Mode;
+      readonly view: Point;
+    }
   | { readonly type: "set-mode"; readonly mode: Mode; readonly view: Point }
   | { readonly type: "set-size"; readonly size: Vector3 | null }
   | { readonly type: "show-alternative"; readonly rank: number }

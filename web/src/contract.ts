@@ -1,0 +1,35 @@
+/** What the parts of the page promise one another. */
+import type { Point, State } from "./model/state";
+
+/** A part of the page that shows the state; it owns what it makes and gives it back. */
+export interface View {
+  show(state: State): void;
+  dispose(): void;
+}
+
+/** The three-dimensional room. */
+export interface StageView extends View {
+  /** Where the middle of the view meets the floor, core frame, metres. */
+  viewPoint(): Point;
+  /** What is on screen, as a PNG. */
+  picture(): Promise<Blob>;
+}
+
+/** What the panels can have done that is not a change of the state. */
+export interface Services {
+  viewPoint(): Point;
+  saveScene(): void;
+  openSceneFile(file: File): Promise<void>;
+  openRoom(id: string): Promise<void>;
+  exportRoom(): Promise<void>;
+  exportHeatMap(): Promise<void>;
+  shareUrl(): string;
+}
+
+/** The models of furniture that have arrived, by digest. */
+export interface Assets {
+  /** The bytes of a GLB; undefined until they are here (then they are asked for). */
+  get(digest: string): ArrayBuffer | undefined;
+  /** Called with the digest of each model that arrives; returns how to stop that. */
+  subscribe(listener: (digest: string) => void): () => void;
+}
