@@ -47,7 +47,10 @@ class Message(Struct, frozen=True, tag_field="type", forbid_unknown_fields=True)
 
 
 class Hello(Message, frozen=True, tag="hello"):
-    """The first message on a socket: start a session, or go on with one."""
+    """The first message on a socket: start a session, or go on with one.
+
+    What outlives a socket is the scene; asks and watched graphs are sent again after it.
+    """
 
     session: Identifier | None = None
     """The session to resume; None starts a new one."""
@@ -187,7 +190,10 @@ class Ack(Message, frozen=True, tag="ack"):
 
 
 class Models(Message, frozen=True, tag="models"):
-    """Which model shows which box; the bytes come in binary frames, once per digest."""
+    """Which model shows which box, for the boxes whose model is new (after hello: all of them).
+
+    The bytes come in binary frames, once per digest.
+    """
 
     revision: Revision
     boxes: dict[str, Digest]
@@ -226,7 +232,11 @@ class NoGoodPlace(Struct, frozen=True):
 
 
 class Answer(Message, frozen=True, tag="answer"):
-    """The placements for the query of an ask; its heat maps come as binary frames."""
+    """The placements for the query of an ask.
+
+    Its heat maps come as binary frames right before it, with the same ask and revision: when an
+    answer is there, so are all of its maps.
+    """
 
     ask: str
     revision: Revision

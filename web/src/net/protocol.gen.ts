@@ -60,7 +60,11 @@ export interface SceneRecord {
   readonly boxes: readonly BoxRecord[];
 }
 
-/** The first message on a socket: start a session, or go on with one. */
+/**
+ * The first message on a socket: start a session, or go on with one.
+ *
+ * What outlives a socket is the scene; asks and watched graphs are sent again after it.
+ */
 export interface Hello {
   readonly type: "hello";
   /** The session to resume; null starts a new one. */
@@ -190,7 +194,11 @@ export interface Ack {
   readonly revision: number;
 }
 
-/** Which model shows which box; the bytes come in binary frames, once per digest. */
+/**
+ * Which model shows which box, for the boxes whose model is new (after hello: all of them).
+ *
+ * The bytes come in binary frames, once per digest.
+ */
 export interface Models {
   readonly type: "models";
   readonly revision: number;
@@ -226,7 +234,12 @@ export interface NoGoodPlace {
   readonly text: string;
 }
 
-/** The placements for the query of an ask; its heat maps come as binary frames. */
+/**
+ * The placements for the query of an ask.
+ *
+ * Its heat maps come as binary frames right before it, with the same ask and revision: when an
+ * answer is there, so are all of its maps.
+ */
 export interface Answer {
   readonly type: "answer";
   readonly ask: string;
