@@ -1,0 +1,77 @@
+/** Boxes as seen from above, and what they run into: core frame, metres. */
+import type { BoxRecord, RoomRecord } from "../net/protocol.gen";
+import {
+  add,
+  crosses,
+  direction,
+  dot,
+  isInside,
+  leftOf,
+  type Segment,
+  scale,
+  sides,
+  subtract,
+} from "./geometry";
+import type { Point } from "./state";
+
+/** Overlaps up to this are contact, metres: measuring a room is no more exact. */
+export const CONTACT = 0.02;
+/** Things no thicker than this are in nobody's way (rugs), metres. */
+const FLAT = 0.05;
+
+export const headingOf = (box: BoxRecord): number => box.heading ?? 0;
+export const bottomOf = (box: BoxRecord): number => box.center[2] - box.size[2] / 2;
+export const topOf = (box: BoxRecord): number => box.center[2] + box.size[2] / 2;
+export const floorPoint = (box: BoxRecord): Point => [box.center[0], box.center[1]];
+
+/** The box with its center above another point of the floor. */
+export function movedTo(box: BoxRecord, [x, y]: Point): BoxRecord {
+  return { ...box, center: [x, y, box.center[2]] };
+}
+
+/** The four corners anticlockwise from front right; `shrink` takes that off every side. */
+export function footprint(box: BoxRecord, shrink = 0): readonly Point[] {
+  const ahead = direction(headingOf(box));
+  const depth = scale(ahead, Math.max(0, box.size[0] / 2 - shrink));
+  const width = scale(leftOf(ahead), Math.max(0, box.size[1] / 2 - shrink));
+  const center = floorPoint(box);
+  const front = add(center, depth);
+  const back = subtract(center, depth);
+  return [subtract(front, width), add(front, width), add(back, width), subtract(back, width)];
+}
+
+/** How far the footprint reaches from its center in a direction (a unit vector), metres. */
+export function reach(box: BoxRecord, toward: Point): number {
+  const ahead = direction(headingOf(box));
+  const depth = Math.abs(dot(ahead, toward)) * box.size[0];
+  const width = Math.abs(dot(leftOf(ahead), toward)) * box.size[1];
+  return (depth + width) / 2;
+}
+
+/** Whether the box stands within the walls; touching them is within. */
+export function standsInside(box: BoxRecord, room: RoomRecord): boolean {
+  const outline = footprint(box, CONTACT);
+  const walls = sides(room.corners);
+  const cut = (side: Segment): boolean => walls.some((wall) => crosses(side, wall));
+  return outline.every((point) => isInside(point, room.corners)) && !sides(outline).some(cut);
+}
+
+/** Whether two boxes take up the same space, beyond contact. */
+export function overlap(box: BoxRecord, other: BoxRecord): boolean {
+  const shared = Math.min(topOf(box), topOf(other)) - Math.max(bottomOf(box), bottomOf(other));
+  if (shared <= FLAT) return false;
+  return overlapFromAbove(box, other);
+}
+
+/** Whether two footprints share floor, beyond contact (separating axes). */
+export function overlapFromAbove(box: BoxRecord, other: BoxRecord): boolean {
+  const between = subtract(floorPoint(other), floorPoint(box));
+  const axes = [box, other].flatMap((one) => {
+    const ahead = direction(headingOf(one));
+    return [ahead, leftOf(ahead)];
+  });
+  return axes.every((axis) => {
+    const gap = Math.abs(dot(between, axis)) - reach(box, axis) - reach(other, axis);
+    return gap < -CONTACT;
+  });
+}
