@@ -147,7 +147,7 @@ def ray_lengths(points: Floats, toward: Floats, segments: Floats) -> Floats:
     offset = start[None] - points[:, None, :]
     facing = toward[:, None, :]
     cross = facing[..., 0] * run[:, 1] - facing[..., 1] * run[:, 0]
-    with np.errstate(divide="ignore", invalid="ignore"):
+    with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
         far = (offset[..., 0] * run[:, 1] - offset[..., 1] * run[:, 0]) / cross
         where = (offset[..., 0] * facing[..., 1] - offset[..., 1] * facing[..., 0]) / cross
         meets = (far >= 0) & (where >= 0) & (where <= 1)
@@ -163,7 +163,7 @@ def rays_hit(points: Floats, toward: Floats, others: Rectangles) -> Bools:
     leave = np.full(x.shape, np.inf)
     for position, slope, half in ((x, dx, others.halves[:, 0]), (y, dy, others.halves[:, 1])):
         level = np.abs(slope) < 1e-12  # noqa: PLR2004 (parallel to the slab)
-        with np.errstate(divide="ignore", invalid="ignore"):
+        with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
             one, two = (-half - position) / slope, (half - position) / slope
         inside = np.abs(position) <= half
         near = np.where(level, np.where(inside, -np.inf, np.inf), np.minimum(one, two))

@@ -1,0 +1,193 @@
+"""The relations against their twins in by_the_book, in drawn, random, turned and real rooms."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+from dataclasses import replace
+from itertools import product
+from math import cos, pi, sin
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from scenegen_core.graph.candidates import Candidates
+from scenegen_core.graph.relations import (
+    NEAR_WALL,
+    NEARBY,
+    RELATIONS,
+    SAME_DIRECTION,
+    Column,
+    columns,
+    measure,
+)
+from scenegen_core.graph.situation import Situation
+from scenegen_core.graph.surroundings import Surroundings
+from scenegen_core.scene.model import PAPER_CATEGORIES, Box, Point, Room, Scene
+from tests.core import by_the_book as book
+
+GROUPS = PAPER_CATEGORIES
+COLUMNS = columns(RELATIONS, GROUPS)
+HAIR = 1e-6  # metres and radians; what is tied to that may go either way
+
+
+def measured(scene: Scene, box: Box) -> dict[Column, float]:
+    """What the relations say of a box where it is."""
+    situation = Situation(Candidates.of(box), Surroundings(scene.without(box.id), GROUPS))
+    values = measure(RELATIONS, situation)
+    assert values.shape == (1, len(COLUMNS))
+    return dict(zip(COLUMNS, values[0].tolist(), strict=True))
+
+
+def _away_from_wall(box: Box, scene: Scene, _: str, hair: float) -> set[float]:
+    walls = book.nearest_walls(box, scene)
+    return {book.away_from(box, wall, SAME_DIRECTION + hair) for wall in walls}
+
+
+def _direction_similarity(box: Box, scene: Scene, part: str, hair: float) -> set[float]:
+    counts = book.direction_similarity(box, scene, NEARBY + hair, SAME_DIRECTION + hair)
+    return {counts[("same", "opposite").index(part)]}
+
+
+TWINS: dict[str, Callable[[Box, Scene, str, float], set[float]]] = {
+    "RP": lambda box, scene, _, hair: {book.room_position(box, scene, NEAR_WALL + hair)},
+    "AD": lambda box, scene, group, _: {book.average_distance(box, scene, group)},
+    "S": lambda box, scene, group, hair: {book.surrounded_by(box, scene, group, NEARBY + hair)},
+    "SP": lambda box, scene, group, _: {book.support(box, scene, group)},
+    "TC": lambda box, scene, *_: {book.towards_center(box, scene)},
+    "AW": _away_from_wall,
+    "DS": _direction_similarity,
+    "F": lambda box, scene, group, hair: {book.facing(box, scene, group, NEARBY + hair)},
+    "NT": lambda box, scene, group, hair: {book.next_to(box, scene, group, NEARBY + hair)},
+}
+
+
+def by_the_book(scene: Scene, box: Box, column: Column, hair: float = 0) -> set[float]:
+    """What the paper's equation says; several values only where several walls are nearest.
+
+    ``hair`` is added to its constants.
+    """
+    return TWINS[column.relation](box, scene, column.group, hair)
+
+
+def nudged(box: Box) -> Iterable[Box]:
+    """The box a hair away in every direction, a hair higher and lower, turned by a hair."""
+    x, y, z = box.center
+    for i, j, k, turn in product((0, -HAIR, HAIR), repeat=4):
+        yield replace(box, center=(x + i, y + j, z + k), heading=box.heading + turn)
+
+
+def agrees(value: float, scene: Scene, box: Box, column: Column) -> bool:
+    """Whether a value is the book's; a count may be the book's where everything is a hair off."""
+    if column.values == "continuous":
+        (expected,) = by_the_book(scene, box, column)
+        return value == pytest.approx(expected, rel=1e-9, abs=1e-9)
+    return any(
+        value in by_the_book(scene, near, column, hair)
+        for near in nudged(box)
+        for hair in (0, -3 * HAIR, 3 * HAIR)
+    )
+
+
+def disagreements(scene: Scene, told: Scene) -> list[str]:
+    """Where the relations in ``scene`` are not what the book says of ``told``."""
+    return [
+        f"{box.id} {column.relation} {column.group}: {value}, the book says "
+        f"{by_the_book(told, told[box.id], column)}"
+        for box in scene.boxes
+        for column, value in measured(scene, box).items()
+        if not agrees(value, told, told[box.id], column)
+    ]
+
+
+# --- random rooms ---------------------------------------------------------------------------------
+
+spans = st.floats(2, 8)
+places = st.one_of(st.floats(-5, 5), st.integers(-20, 20).map(lambda n: n / 4))
+angles = st.one_of(st.floats(-pi, pi), st.integers(-8, 8).map(lambda n: n * pi / 4))
+
+
+@st.composite
+def outlines(draw: st.DrawFn) -> tuple[Point, ...]:
+    """Rectangles, L-shapes, and polygons round the origin, convex (equal radii) or not."""
+    kind = draw(st.sampled_from(("rectangle", "L", "round", "star")))
+    width, depth = draw(spans), draw(spans)
+    left, low = -width / 2, -depth / 2
+    if kind == "rectangle":
+        return ((left, low), (-left, low), (-left, -low), (left, -low))
+    if kind == "L":
+        x, y = left + width * draw(st.floats(0.2, 0.8)), low + depth * draw(st.floats(0.2, 0.8))
+        return ((left, low), (-left, low), (-left, y), (x, y), (x, -low), (left, -low))
+    count = draw(st.integers(5, 9))
+    corners = []
+    for i in range(count):
+        angle = (i + draw(st.floats(0, 0.8))) * 2 * pi / count
+        radius = 1.0 if kind == "round" else draw(st.floats(0.4, 1))
+        corners.append((radius * width / 2 * cos(angle), radius * depth / 2 * sin(angle)))
+    return tuple(corners)
+
+
+@st.composite
+def scenes(draw: st.DrawFn) -> Scene:
+    """Rooms with boxes anywhere: outside, overlapping, touching, on top of one another."""
+    boxes: list[Box] = []
+    for i in range(draw(st.integers(1, 5))):
+        size = tuple(draw(st.floats(0.1, 2.5)) for _ in range(3))
+        below = draw(st.sampled_from([None, *boxes]))
+        rests = below is not None and draw(st.booleans())
+        gap = draw(st.floats(-0.1, 0.1)) if rests else draw(st.floats(0, 2))
+        bottom = below.top + gap if below is not None and rests else gap
+        boxes.append(
+            Box(
+                id=f"b{i}",
+                category=draw(st.sampled_from([group.name for group in GROUPS])),
+                center=(draw(places), draw(places), bottom + size[2] / 2),
+                size=(size[0], size[1], size[2]),
+                heading=draw(angles),
+                front_known=draw(st.booleans()),
+                parent=below.id if below is not None and draw(st.booleans()) else None,
+            )
+        )
+    return Scene(Room(draw(outlines())), tuple(boxes))
+
+
+def moved(scene: Scene, turn: float, by: Point) -> Scene:
+    """The whole room turned about the origin, then shifted."""
+
+    def there(x: float, y: float) -> Point:
+        return (x * cos(turn) - y * sin(turn) + by[0], x * sin(turn) + y * cos(turn) + by[1])
+
+    boxes = (
+        replace(box, center=(*there(*box.center[:2]), box.center[2]), heading=box.heading + turn)
+        for box in scene.boxes
+    )
+    room = replace(scene.room, corners=tuple(there(*corner) for corner in scene.room.corners))
+    return replace(scene, room=room, boxes=tuple(boxes))
+
+
+@settings(max_examples=150, deadline=None)
+@given(scene=scenes())
+def test_every_relation_is_the_paper_s_in_any_room(scene: Scene) -> None:
+    assert disagreements(scene, scene) == []
+
+
+@settings(max_examples=60, deadline=None)
+@given(scene=scenes(), turn=angles, x=st.floats(-100, 100), y=st.floats(-100, 100))
+def test_turning_and_moving_the_room_changes_nothing(
+    scene: Scene, turn: float, x: float, y: float
+) -> None:
+    assert disagreements(moved(scene, turn, (x, y)), scene) == []
+
+
+@settings(max_examples=40, deadline=None)
+@given(scene=scenes(), seed=st.integers(0, 2**32 - 1))
+def test_many_poses_at_once_are_measured_as_one_by_one(scene: Scene, seed: int) -> None:
+    rng = np.random.default_rng(seed)
+    box = scene.boxes[0]
+    around = Surroundings(scene.without(box.id), GROUPS)
+    centers = rng.uniform((-4, -4, 0), (4, 4, 2), (7, 3))
+    poses = replace(Candidates.of(box), centers=centers, headings=rng.uniform(-pi, pi, 7))
+    together = measure(RELATIONS, Situation(poses, around))
+    alone = [measure(RELATIONS, Situation(poses[i : i + 1], around)) for i in range(7)]
+    np.testing.assert_array_equal(together, np.concatenate(alone))
