@@ -6,14 +6,17 @@ from collections.abc import Callable, Iterable
 from dataclasses import replace
 from itertools import product
 from math import cos, pi, sin
+from pathlib import Path
 
 import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from scenegen_core.datasets.rows import read_scenes
 from scenegen_core.graph.candidates import Candidates
 from scenegen_core.graph.relations import (
+    ABSENT,
     NEAR_WALL,
     NEARBY,
     RELATIONS,
@@ -24,11 +27,19 @@ from scenegen_core.graph.relations import (
 )
 from scenegen_core.graph.situation import Situation
 from scenegen_core.graph.surroundings import Surroundings
+from scenegen_core.scene.files import read_scene
 from scenegen_core.scene.model import PAPER_CATEGORIES, Box, Point, Room, Scene
 from tests.core import by_the_book as book
 
 GROUPS = PAPER_CATEGORIES
 COLUMNS = columns(RELATIONS, GROUPS)
+ROOT = Path(__file__).parents[2]
+ROOM_FILES = [
+    ROOT / "tests/fixtures/living_room.json",
+    *sorted((ROOT / "web/public/rooms").glob("*.json")),
+    *sorted((ROOT.parent / "shared/data/rooms").glob("*.jsonl.gz")),
+]
+ROOMS_A_FILE = 12
 HAIR = 1e-6  # metres and radians; what is tied to that may go either way
 
 
@@ -99,6 +110,20 @@ def disagreements(scene: Scene, told: Scene) -> list[str]:
         for column, value in measured(scene, box).items()
         if not agrees(value, told, told[box.id], column)
     ]
+
+
+@pytest.fixture(scope="module")
+def living_room() -> Scene:
+    """A sofa before a table with a vase, a TV on a cupboard, a chair, a stool, a picture."""
+    return read_scene((ROOT / "tests/fixtures/living_room.json").read_bytes())
+
+
+def rooms_of(path: Path) -> list[Scene]:
+    """Rooms from all over a file of them, or the one of a scene file."""
+    if path.suffix == ".json":
+        return [read_scene(path.read_bytes())]
+    rooms = list(read_scenes(path, on_broken=lambda _: None))
+    return rooms[:: max(1, len(rooms) // ROOMS_A_FILE)]
 
 
 # --- random rooms ---------------------------------------------------------------------------------
@@ -191,3 +216,79 @@ def test_many_poses_at_once_are_measured_as_one_by_one(scene: Scene, seed: int) 
     together = measure(RELATIONS, Situation(poses, around))
     alone = [measure(RELATIONS, Situation(poses[i : i + 1], around)) for i in range(7)]
     np.testing.assert_array_equal(together, np.concatenate(alone))
+
+
+# --- drawn and real rooms -------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("box", "relation", "group", "value"),
+    [
+        ("sofa", "RP", "", 1),  # its center is 0.5 m from one wall
+        ("stool", "RP", "", 1),  # 0.5 m from one wall, exactly 1 m from another
+        ("table", "RP", "", 0),
+        ("picture", "RP", "", 1),
+        ("sofa", "AD", "Table", 0.6),
+        ("chair", "AD", "Table", 0.85),
+        ("table", "AD", "Chair", (0.85 + (0.7**2 + 0.9**2) ** 0.5) / 2),
+        ("tv", "AD", "Storage", 0.0),  # on top: nothing between them in the plan
+        ("sofa", "AD", "Sofa", 1000),  # it does not count itself, and there is no other
+        ("table", "S", "Chair", 1),
+        ("table", "S", "Sofa", 1),
+        ("tv", "SP", "Storage", 1),
+        ("cupboard", "SP", "TV", -1),
+        ("vase", "SP", "Table", 1),
+        ("table", "SP", "Decor", -1),
+        ("tv", "SP", "Table", 0),
+        ("sofa", "TC", "", 1),
+        ("chair", "TC", "", 1),
+        ("stool", "TC", "", 0),  # it faces the wall right before it
+        ("sofa", "AW", "", 1),
+        ("stool", "AW", "", 0),
+        ("sofa", "F", "Table", 1),
+        ("sofa", "F", "Decor", 1),
+        ("sofa", "F", "TV", 0),  # before it, but 2.7 m away
+        ("chair", "F", "Table", 1),
+        ("sofa", "NT", "Chair", 1),
+        ("sofa", "NT", "Table", 0),
+        ("sofa", "DS", "same", 0),
+        ("sofa", "DS", "opposite", 1),  # the stool; the table has no known front
+        ("cupboard", "DS", "same", 1),  # the television
+    ],
+)
+def test_a_drawn_room_is_described_as_one_sees_it(
+    living_room: Scene, box: str, relation: str, group: str, value: float
+) -> None:
+    values = measured(living_room, living_room[box])
+    (found,) = (
+        number
+        for column, number in values.items()
+        if (column.relation, column.group) == (relation, group)
+    )
+    assert found == pytest.approx(value)
+
+
+def test_a_category_that_nobody_knows_counts_as_other(living_room: Scene) -> None:
+    piano = replace(living_room["stool"], category="Piano")
+    other = replace(living_room["stool"], category="Other")
+    sofa = living_room["sofa"]
+    assert measured(living_room.with_box(piano), sofa) == measured(
+        living_room.with_box(other), sofa
+    )
+
+
+def test_an_empty_room_has_only_walls_to_measure() -> None:
+    alone = Box("bed", "Bed", (1.0, 1.5, 0.3), (2.0, 1.4, 0.6))
+    scene = Scene(Room(((0, 0), (5, 0), (5, 3), (0, 3))), (alone,))
+    values = measured(scene, alone)
+    assert {column.group for column, value in values.items() if value == ABSENT} == {
+        group.name for group in GROUPS
+    }
+    assert values[Column("TC", "", "ordered")] == 1
+    assert values[Column("AW", "", "ordered")] == 1
+
+
+@pytest.mark.parametrize("path", ROOM_FILES, ids=lambda path: path.name)
+def test_every_relation_is_the_paper_s_in_real_rooms(path: Path) -> None:
+    scenes = rooms_of(path)
+    assert [line for scene in scenes for line in disagreements(scene, scene)] == []
