@@ -1,0 +1,1 @@
+"""Corpora of rooms: readers, and the reductions made before learning from them."""

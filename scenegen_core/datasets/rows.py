@@ -1,0 +1,157 @@
+"""Rooms as neutral rows, one JSON object a line, plain or gzipped: the form all corpora share.
+
+Frame of the core: metres, z up, anticlockwise outlines. ``half`` is half the (depth along the
+heading, width, height); ``yaw`` is the heading; a ``category`` of null is clutter and is left out.
+"""
+
+from __future__ import annotations
+
+import gzip
+import logging
+import zlib
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+from pathlib import Path
+
+import msgspec
+from msgspec import Struct
+
+from scenegen_core.errors import DataError, SceneError
+from scenegen_core.scene.files import OpeningRecord, RoomRecord, room_of
+from scenegen_core.scene.model import DEFAULT_HEIGHT, Box, Point, Scene, Vector3
+
+DOOR = (0.0, 2.0)  # metres; low and high edge of a door where the source gives none
+WINDOW = (0.9, 2.1)  # metres; a usual sill and head, where the source gives none
+
+OnBroken = Callable[["BrokenRow"], None]
+
+logger = logging.getLogger(__name__)
+
+
+class OpeningRow(Struct, frozen=True, omit_defaults=True):
+    """A door or a window of a row."""
+
+    segment: tuple[Point, Point]
+    z: tuple[float, float] | None = None
+    """Low and high edge above the floor, metres; None where the source does not say."""
+
+
+class ObjectRow(Struct, frozen=True):
+    """An object of a row."""
+
+    id: str
+    label: str
+    category: str | None
+    center: Vector3
+    half: Vector3
+    yaw: float
+    front_known: bool = True
+    front_from_wall: bool = False
+    parent: str | None = None
+
+
+class RoomRow(Struct, frozen=True):
+    """A row: one room with its objects."""
+
+    id: str
+    source: str
+    room_type: str
+    polygon: tuple[Point, ...]
+    objects: tuple[ObjectRow, ...]
+    height: float | None = None
+    doors: tuple[OpeningRow, ...] = ()
+    windows: tuple[OpeningRow, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class BrokenRow:
+    """A row that could not be used, and why."""
+
+    path: Path
+    line: int
+    """Counted from 1."""
+    reason: str
+
+    def __str__(self) -> str:
+        return f"{self.path}, line {self.line}: {self.reason}"
+
+
+def _log(broken: BrokenRow) -> None:
+    logger.warning("Left out a room: %s", broken)
+
+
+def read_scenes(path: Path, *, on_broken: OnBroken = _log) -> Iterator[Scene]:
+    """The rooms of a ``.jsonl`` or ``.jsonl.gz`` file, one by one.
+
+    A broken row is given to ``on_broken`` (default: logged as a warning) and left out; DataError
+    if the file itself cannot be read.
+    """
+    for number, line in enumerate(_lines(path), start=1):
+        if not line.strip():
+            continue
+        try:
+            yield scene_of(msgspec.json.decode(line, type=RoomRow))
+        except (msgspec.DecodeError, SceneError) as error:
+            on_broken(BrokenRow(path, number, str(error)))
+
+
+def find_scene(path: Path, room_id: str) -> Scene:
+    """The room of that id; DataError if the file has none."""
+    for scene in read_scenes(path):
+        if scene.id == room_id:
+            return scene
+    raise DataError(f"There is no room {room_id!r} in {path}; check the id and the file.")
+
+
+def scene_of(row: RoomRow) -> Scene:
+    """The scene of a row; SceneError if its outline, an opening or a box is not usable."""
+    kept = {thing.id for thing in row.objects if thing.category is not None}
+    room = RoomRecord(
+        corners=row.polygon,
+        height=DEFAULT_HEIGHT if row.height is None else row.height,
+        doors=tuple(_opening(f"d{i}", door, DOOR) for i, door in enumerate(row.doors)),
+        windows=tuple(_opening(f"w{i}", window, WINDOW) for i, window in enumerate(row.windows)),
+        room_type=row.room_type,
+    )
+    return Scene(
+        room=room_of(room),
+        boxes=tuple(
+            _box(thing, thing.category, kept) for thing in row.objects if thing.category is not None
+        ),
+        id=row.id,
+        name=row.id,
+        source=row.source,
+    )
+
+
+def _lines(path: Path) -> Iterator[bytes]:
+    """The lines of a file, unpacked when its name ends in .gz; DataError says what is wrong."""
+    unpack = gzip.open if path.suffix == ".gz" else Path.open
+    try:
+        with unpack(path, "rb") as file:
+            yield from file
+    except (OSError, EOFError, zlib.error) as error:
+        raise DataError(
+            f"Cannot read rooms from {path} ({error}); check that the file is there and complete."
+        ) from error
+
+
+def _opening(opening_id: str, row: OpeningRow, usual: tuple[float, float]) -> OpeningRecord:
+    start, end = row.segment
+    bottom, top = row.z or usual
+    return OpeningRecord(id=opening_id, start=start, end=end, bottom=bottom, top=top)
+
+
+def _box(row: ObjectRow, category: str, kept: set[str]) -> Box:
+    depth, width, height = (2 * half for half in row.half)
+    return Box(
+        id=row.id,
+        category=category,
+        center=row.center,
+        size=(depth, width, height),
+        heading=row.yaw,
+        label=row.label,
+        front_known=row.front_known,
+        front_from_wall=row.front_from_wall,
+        parent=row.parent if row.parent in kept else None,
+    )

@@ -1,0 +1,147 @@
+"""Knowledge as one versioned .npz file: arrays, and a JSON header as bytes; no pickles."""
+
+from __future__ import annotations
+
+import zipfile
+import zlib
+from importlib import resources
+from pathlib import Path
+from typing import IO, Any, Literal
+
+import msgspec
+import numpy as np
+from msgspec import Struct
+from numpy.lib.npyio import NpzFile
+from numpy.typing import NDArray
+
+from scenegen_core.errors import KnowledgeError
+from scenegen_core.graph.relations import Column
+from scenegen_core.knowledge.knowledge import SETTINGS, CategoryKnowledge, Knowledge
+from scenegen_core.knowledge.sources import Source
+from scenegen_core.scene.model import Category
+
+VERSION: Literal[1] = 1
+ARRAYS = ("rows", "rooms", "front_known", "sizes", "bottoms")
+"""The arrays of a category; ``rooms`` holds indices into the header's rooms."""
+
+LEARN_AGAIN = "learn it again with: scenegen learn ROOMS --out knowledge.npz"
+
+
+class _Header(Struct, frozen=True, tag_field="format", tag="scenegen.knowledge"):
+    made_with: str
+    settings: dict[str, float]
+    groups: tuple[Category, ...]
+    columns: tuple[Column, ...]
+    categories: tuple[str, ...]
+    rooms: tuple[str, ...]
+    sources: tuple[Source, ...]
+    version: Literal[1] = VERSION
+
+
+class _Version(Struct, frozen=True):
+    """Just enough of a header to say what is wrong with it."""
+
+    version: int
+
+
+def save_knowledge(knowledge: Knowledge, path: Path) -> None:
+    """Write a file that :func:`load_knowledge` reads; the same knowledge gives the same bytes."""
+    parts = tuple(knowledge.categories.values())
+    rooms = tuple(dict.fromkeys(room for part in parts for room in part.rooms))
+    index = {room: i for i, room in enumerate(rooms)}
+    header = _Header(
+        made_with=knowledge.made_with,
+        settings=dict(knowledge.settings),
+        groups=knowledge.groups,
+        columns=parts[0].columns,
+        categories=tuple(knowledge.categories),
+        rooms=rooms,
+        sources=knowledge.sources,
+    )
+    arrays: dict[str, NDArray[Any]] = {
+        "header": np.frombuffer(msgspec.json.encode(header), dtype=np.uint8)
+    }
+    for number, part in enumerate(parts):
+        for name in ARRAYS:
+            arrays[f"{number}.{name}"] = getattr(part, name)
+        arrays[f"{number}.rooms"] = np.array([index[room] for room in part.rooms], dtype=np.int32)
+    with path.open("wb") as file:
+        np.savez_compressed(file, allow_pickle=False, **arrays)
+
+
+def load_knowledge(path: Path) -> Knowledge:
+    """The knowledge of a file; KnowledgeError says what to do if it cannot be used."""
+    try:
+        with path.open("rb") as file:
+            return _read(file, str(path))
+    except OSError as error:
+        raise KnowledgeError(
+            f"Cannot open the knowledge {path} ({error.strerror}); {LEARN_AGAIN}."
+        ) from error
+
+
+def default_knowledge() -> Knowledge:
+    """The knowledge that ships with the program."""
+    with resources.files("scenegen_core.knowledge").joinpath("default.npz").open("rb") as file:
+        return _read(file, "default.npz")
+
+
+def _read(file: IO[bytes], name: str) -> Knowledge:
+    try:
+        archive = np.load(file, allow_pickle=False)
+        if not isinstance(archive, NpzFile):
+            raise KnowledgeError(f"{name} is not a knowledge file; {LEARN_AGAIN}.")
+        with archive:
+            header = _header(archive["header"].tobytes(), name)
+            parts = [_category(archive, header, i) for i in range(len(header.categories))]
+    except (ValueError, KeyError, IndexError, EOFError, zipfile.BadZipFile, zlib.error) as error:
+        raise KnowledgeError(f"The knowledge file {name} is broken; {LEARN_AGAIN}.") from error
+    return Knowledge(
+        groups=header.groups,
+        categories=dict(zip(header.categories, parts, strict=True)),
+        sources=header.sources,
+        settings=header.settings,
+        made_with=header.made_with,
+    )
+
+
+def _header(text: bytes, name: str) -> _Header:
+    """The header, of this version and measured with the settings of this program."""
+    version = msgspec.json.decode(text, type=_Version).version
+    if version != VERSION:
+        raise KnowledgeError(
+            f"{name} has version {version}; this program reads version {VERSION}: {LEARN_AGAIN}."
+        )
+    header = msgspec.json.decode(text, type=_Header)
+    if header.settings != SETTINGS:
+        raise KnowledgeError(
+            f"{name} was measured with {header.settings}, this program measures with "
+            f"{dict(SETTINGS)}: {LEARN_AGAIN}."
+        )
+    return header
+
+
+def _category(archive: NpzFile, header: _Header, number: int) -> CategoryKnowledge:
+    """One category; ValueError or IndexError if its arrays do not fit together."""
+    arrays = {name: archive[f"{number}.{name}"] for name in ARRAYS}
+    shapes = {name: array.shape for name, array in arrays.items()}
+    examples = len(arrays["rooms"])
+    expected = {
+        "rows": (examples, len(header.columns)),
+        "rooms": (examples,),
+        "front_known": (examples,),
+        "sizes": (examples, 3),
+        "bottoms": (examples,),
+    }
+    if shapes != expected or not all(np.isfinite(array).all() for array in arrays.values()):
+        raise ValueError(shapes)
+    group = next(group for group in header.groups if group.name == header.categories[number])
+    return CategoryKnowledge(
+        category=group,
+        columns=header.columns,
+        rows=arrays["rows"],
+        rooms=tuple(header.rooms[i] for i in arrays["rooms"].tolist()),
+        front_known=arrays["front_known"],
+        sizes=arrays["sizes"],
+        bottoms=arrays["bottoms"],
+    )
