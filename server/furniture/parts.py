@@ -1,0 +1,241 @@
+"""The few shapes that all furniture is put together from.
+
+``Span`` is a pair (low, high) along an axis, metres. Every shape is closed, convex or nearly so,
+and has soft edges, because a bright edge is what makes a thing look real.
+"""
+
+from __future__ import annotations
+
+from functools import lru_cache
+from itertools import pairwise, product
+from math import pi
+
+import numpy as np
+
+from server.furniture.mesh import Floats, Ints, Mesh, smooth_normals, unit
+
+Span = tuple[float, float]
+Spot = tuple[float, float, float]
+
+BEVEL = 0.006  # metres; the eased edge of joinery
+ARC_STEPS = 2  # pieces of a rounded corner of a cushion
+SMOOTH = 0.7  # cosine; edges of a turned part that bend less than 45° are shaded round
+
+
+def block(x: Span, y: Span, z: Span, bevel: float = BEVEL) -> Mesh:
+    """A box with chamfered edges: 44 triangles, its flat sides shaded flat."""
+    signs, insets, normals, faces = _block_template()
+    low, high = np.array([x, y, z]).T
+    half = (high - low) / 2
+    cut = min(bevel, 0.45 * float(half.min()))
+    return Mesh((low + high) / 2 + signs * (half - insets * cut), normals, faces)
+
+
+def panel(x: Span, y: Span, z: float) -> Mesh:
+    """A flat rectangle that looks along +z."""
+    return polygon([(x[0], y[0]), (x[1], y[0]), (x[1], y[1]), (x[0], y[1])], z)
+
+
+def polygon(corners: list[tuple[float, float]], z: float) -> Mesh:
+    """A flat convex polygon that looks along +z; corners (x, y) anticlockwise."""
+    positions = np.array([(x, y, z) for x, y in corners])
+    faces = np.array([(0, i, i + 1) for i in range(1, len(corners) - 1)])
+    return Mesh(positions, np.tile([0.0, 0.0, 1.0], (len(corners), 1)), faces)
+
+
+def cushion(x: Span, y: Span, z: Span, radius: float, crown: float = 0.0, axis: int = 1) -> Mesh:
+    """A box with round edges whose two large sides bulge by ``crown`` along ``axis``."""
+    low, high = np.array([x, y, z]).T
+    order = {0: [1, 0, 2], 1: [0, 1, 2], 2: [0, 2, 1]}[axis]
+    half = ((high - low) / 2)[order]
+    crown = min(crown, 0.6 * float(half[1]))
+    round_ = min(radius, 0.95 * float(half[[0, 2]].min()), float(half[1]) - crown)
+    points = _cushion_points(half, round_, crown)
+    faces = _loft_faces(len(points) // _CORNERS, _CORNERS)
+    if axis != 1:  # two axes are swapped, which turns the faces over
+        faces = faces[:, ::-1]
+    positions = points[:, order] + (low + high) / 2
+    return Mesh(positions, smooth_normals(positions, faces), faces)
+
+
+def lathe(
+    profile: list[tuple[float, float]],
+    x: float = 0.0,
+    z: float = 0.0,
+    *,
+    sides: int = 20,
+    squash: float = 1.0,
+) -> Mesh:
+    """A part turned about the upright line through (x, z).
+
+    Args:
+        profile: (radius, height) from the bottom of the outside upwards; a radius 0 closes it.
+        x: Where the axis stands, metres.
+        z: Where the axis stands, metres.
+        sides: Corners of the circle.
+        squash: Depth over width of the circle.
+    """
+    points = np.array(profile)
+    steps = np.diff(points, axis=0)
+    across = np.stack([steps[:, 1], -steps[:, 0]], axis=1)
+    across /= np.maximum(np.linalg.norm(across, axis=1, keepdims=True), 1e-12)
+    turn = np.arange(sides) * (2 * pi / sides)
+    circle = np.stack([np.sin(turn), np.cos(turn)], axis=1)
+    positions, normals = [], []
+    for step in range(len(steps)):
+        for end in (step, step + 1):
+            outward = _edge_normal(across, step, end)
+            positions.append(_ring(circle, points[end, 0], points[end, 1], squash))
+            normals.append(_ring(circle * (1, 1 / squash), outward[0], outward[1], 1.0))
+    faces = _strip_faces(len(steps), sides)
+    return Mesh(
+        np.concatenate(positions) + np.array([x, 0.0, z]), unit(np.concatenate(normals)), faces
+    )
+
+
+def tube(start: Spot, end: Spot, radius: float, end_radius: float, sides: int = 8) -> Mesh:
+    """A round bar between two spots, closed at both ends."""
+    along = np.subtract(end, start)
+    length = float(np.linalg.norm(along))
+    bar = lathe([(0, 0), (radius, 0), (end_radius, length), (0, length)], sides=sides)
+    axes = _frame(along / max(length, 1e-12))
+    return Mesh(bar.positions @ axes + start, unit(bar.normals @ axes), bar.faces)
+
+
+def leaf(base: Spot, tip: Spot, width: float, droop: float) -> Mesh:
+    """A blade that rises from its base and bends down by ``droop`` metres towards the tip."""
+    steps = np.linspace(0.0, 1.0, 5)
+    spine = np.outer(1 - steps, base) + np.outer(steps, tip)
+    spine[:, 1] += droop * 4 * steps * (1 - steps)
+    across = unit(np.cross((0.0, 1.0, 0.0), np.subtract(tip, base)))
+    if abs(tip[0] - base[0]) + abs(tip[2] - base[2]) < 1e-9:  # noqa: PLR2004 (it stands upright)
+        across = np.array([1.0, 0.0, 0.0])
+    widths = width / 2 * np.array([0.25, 0.85, 1.0, 0.7, 0.06])
+    sides = across[None, :] * widths[:, None]
+    fold = np.array([0.0, 0.12 * width, 0.0])
+    positions = np.stack([spine + sides + fold, spine, spine - sides + fold], axis=1).reshape(-1, 3)
+    faces = _leaf_faces(len(steps))
+    return Mesh(positions, smooth_normals(positions, faces), faces)
+
+
+@lru_cache
+def _block_template() -> tuple[Floats, Floats, Floats, Ints]:
+    """Signs, insets and normals (24, 3) and faces of a chamfered box of half size 1."""
+    rows = [(axis, signs) for axis in range(3) for signs in product((-1, 1), repeat=3)]
+    number = {row: index for index, row in enumerate(rows)}
+    signs = np.array([row[1] for row in rows], dtype=float)
+    insets = np.array([[axis != other for other in range(3)] for axis, _ in rows], dtype=float)
+    quads = [
+        [number[axis, _signs(axis, side, a, b)] for a, b in ((-1, -1), (1, -1), (1, 1), (-1, 1))]
+        for axis, side in product(range(3), (-1, 1))
+    ]
+    for free, a, b in product(range(3), (-1, 1), (-1, 1)):
+        first, second = (axis for axis in range(3) if axis != free)
+        low, high = _signs(free, -1, a, b), _signs(free, 1, a, b)
+        quads.append(
+            [number[first, low], number[first, high], number[second, high], number[second, low]]
+        )
+    triangles = [(q[0], q[i], q[i + 1]) for q in quads for i in (1, 2)]
+    triangles += [
+        (number[0, corner], number[1, corner], number[2, corner])
+        for corner in product((-1, 1), repeat=3)
+    ]
+    shape = signs * (1 - 0.2 * insets)
+    return signs, insets, signs * (1 - insets), _outward(shape, np.array(triangles))
+
+
+def _signs(axis: int, own: int, first: int, second: int) -> tuple[int, ...]:
+    """Signs with ``own`` on the axis and the two others in order on the rest."""
+    rest = iter((first, second))
+    return tuple(own if other == axis else next(rest) for other in range(3))
+
+
+def _outward(positions: Floats, faces: Ints) -> Ints:
+    """The faces of a convex shape round the origin, each turned to look away from it."""
+    a, b, c = (positions[faces[:, corner]] for corner in range(3))
+    inward = np.einsum("ij,ij->i", np.cross(b - a, c - a), a + b + c) < 0
+    return np.where(inward[:, None], faces[:, ::-1], faces)
+
+
+_CORNERS = 4 * (ARC_STEPS + 1)
+
+
+def _cushion_points(half: Floats, radius: float, crown: float) -> Floats:
+    """Rings from the bottom up round the middle axis, first and last shrunk to a point."""
+    turn = np.repeat(np.arange(4) * pi / 2, ARC_STEPS + 1) + np.tile(
+        np.linspace(0, pi / 2, ARC_STEPS + 1), 4
+    )
+    circle = np.stack([np.sin(turn), np.cos(turn)], axis=1)
+    quarter = np.repeat(np.arange(4) * pi / 2 + pi / 4, ARC_STEPS + 1)
+    corner = np.sign(np.stack([np.sin(quarter), np.cos(quarter)], axis=1))
+    inner = half[[0, 2]] - radius
+    rise = np.linspace(0, pi / 2, ARC_STEPS + 1)
+    rings = [corner * inner + circle * radius * np.cos(angle) for angle in rise]
+    heights = [half[1] - crown - radius + radius * np.sin(angle) for angle in rise]
+    rings += [rings[-1] * 0.6, rings[-1] * 0.0]
+    heights += [half[1] - 0.3 * crown, half[1]]
+    upper = [np.insert(ring, 1, y, axis=1) for ring, y in zip(rings, heights, strict=True)]
+    lower = [ring * (1, -1, 1) for ring in reversed(upper)]
+    return np.concatenate(lower + upper)
+
+
+@lru_cache
+def _loft_faces(rings: int, sides: int) -> Ints:
+    """Faces between rings one above the other, turning anticlockwise seen from above."""
+    faces = []
+    for ring, corner in product(range(rings - 1), range(sides)):
+        a, b = ring * sides + corner, ring * sides + (corner + 1) % sides
+        if ring > 0:
+            faces.append((a, b, b + sides))
+        if ring < rings - 2:
+            faces.append((a, b + sides, a + sides))
+    return np.array(faces)
+
+
+@lru_cache
+def _strip_faces(steps: int, sides: int) -> Ints:
+    """Faces of ``steps`` separate strips of two rings each."""
+    strip = [
+        face
+        for corner, following in pairwise([*range(sides), 0])
+        for face in (
+            (corner, following, following + sides),
+            (corner, following + sides, corner + sides),
+        )
+    ]
+    return np.concatenate([np.array(strip) + 2 * sides * step for step in range(steps)])
+
+
+@lru_cache
+def _leaf_faces(rows: int) -> Ints:
+    return np.array(
+        [
+            face
+            for row, side in product(range(rows - 1), range(2))
+            for a in [3 * row + side]
+            for face in ((a, a + 1, a + 4), (a, a + 4, a + 3))
+        ]
+    )
+
+
+def _edge_normal(across: Floats, step: int, end: int) -> Floats:
+    """The normal (out, up) of a step of a profile at one of its ends."""
+    neighbor = step - 1 if end == step else step + 1
+    own: Floats = across[step]
+    if 0 <= neighbor < len(across) and float(own @ across[neighbor]) > SMOOTH:
+        own = own + across[neighbor]
+    return own
+
+
+def _ring(circle: Floats, radius: float, height: float, squash: float) -> Floats:
+    return np.stack(
+        [circle[:, 0] * radius, np.full(len(circle), height), circle[:, 1] * radius * squash],
+        axis=1,
+    )
+
+
+def _frame(along: Floats) -> Floats:
+    """A right-handed frame whose second axis is ``along``: rows are the axes, (3, 3)."""
+    helper = np.array([1.0, 0.0, 0.0] if abs(along[0]) < 0.9 else [0.0, 0.0, 1.0])  # noqa: PLR2004
+    third = unit(np.cross(helper, along))
+    return np.stack([np.cross(along, third), along, third])
