@@ -20,6 +20,7 @@ NEAR_WALL = 1.0  # metres; the paper's ϱ, which it gives no number for
 NEARBY = 1.0  # metres; the paper's ε, which it gives no number for
 SAME_DIRECTION = np.pi / 12  # radians (15°); the paper's φ, which it gives no number for
 ABSENT = 1000.0  # metres; AverageDistance to a group that is not in the room (the paper's constant)
+TIE = 1e-9  # metres; distances that differ by rounding only are the same
 RESTS = 0.05  # metres; an underside this close to an upper side rests on it (bounding boxes err)
 
 Values = Literal["continuous", "ordered"]
@@ -64,13 +65,14 @@ def columns(relations: tuple[Relation, ...], groups: tuple[Category, ...]) -> tu
 def measure(relations: tuple[Relation, ...], situation: Situation) -> Floats:
     """The feature vectors of all poses, the paper's d_p and d_o: (poses, columns)."""
     parts = [relation.measure(situation) for relation in relations]
-    return np.concatenate(parts, axis=1)
+    features: Floats = np.concatenate(parts, axis=1)
+    return features
 
 
 def _room_position(situation: Situation) -> Floats:
     """RoomPosition: how many walls are nearer than ϱ to the center (eq. room_position)."""
     near = situation.wall_distances < NEAR_WALL
-    return near.sum(axis=1, keepdims=True).astype(float)
+    return np.asarray(near.sum(axis=1, keepdims=True), dtype=np.float64)
 
 
 def _average_distance(situation: Situation) -> Floats:
@@ -104,28 +106,32 @@ def _towards_center(situation: Situation) -> Floats:
 
     The text says l/2 walls, its formula stops at l/2 − 1: we follow the text, round odd l up, and
     count the first wall that the ray meets, since rooms are not convex (docs/decisions.md).
+    Walls that tie with the last of them count too: two that share an inner corner often do.
     """
     walls = situation.surroundings.walls
     centers = situation.candidates.centers[:, :2]
     ahead = ray_lengths(centers, situation.fronts, walls)
-    order = np.argsort(-situation.wall_distances, axis=1, kind="stable")
-    far = np.zeros(ahead.shape, dtype=bool)
-    np.put_along_axis(far, order[:, : (len(walls) + 1) // 2], values=True, axis=1)
+    last = np.sort(situation.wall_distances, axis=1)[:, len(walls) // 2, None]
+    far = situation.wall_distances >= last - TIE
     first = ahead.argmin(axis=1)[:, None]
     hit = np.isfinite(np.take_along_axis(ahead, first, axis=1))
     return np.asarray(hit & np.take_along_axis(far, first, axis=1), dtype=np.float64)
 
 
 def _away_from_wall(situation: Situation) -> Floats:
-    """AwayFromWall: the ray behind meets the nearest wall, and the axis is normal to it (± φ)."""
+    """AwayFromWall: the ray behind meets the nearest wall, and the axis is normal to it (± φ).
+
+    Of walls that tie, as all do that the footprint touches, any will do.
+    """
     around = situation.surroundings
-    nearest = situation.wall_gaps.argmin(axis=1)
+    distances = np.maximum(situation.wall_gaps, 0)
+    nearest = distances <= distances.min(axis=1, keepdims=True) + TIE
     centers = situation.candidates.centers[:, :2]
     behind = np.isfinite(ray_lengths(centers, -situation.fronts, around.walls))
-    turn = wrapped(situation.candidates.headings - around.wall_shapes.headings[nearest])
-    normal = np.abs(np.abs(turn) - np.pi / 2) <= SAME_DIRECTION
-    meets = np.take_along_axis(behind, nearest[:, None], axis=1)[:, 0]
-    return (meets & normal)[:, None].astype(float)
+    turns = wrapped(situation.candidates.headings[:, None] - around.wall_shapes.headings)
+    normal = np.abs(np.abs(turns) - np.pi / 2) <= SAME_DIRECTION
+    away = (nearest & behind & normal).any(axis=1, keepdims=True)
+    return np.asarray(away, dtype=np.float64)
 
 
 def _direction_similarity(situation: Situation) -> Floats:

@@ -6,7 +6,8 @@ comparison of ids. The paper gives ϱ, ε and φ no numbers, so they are argumen
 
 Where the paper is silent or contradicts itself (docs/decisions.md): distances lie in the floor
 plan; TowardsCenter takes the text's l/2 walls, rounded up, and the first wall that the ray meets;
-angles are wrapped; "perpendicular" is within φ; a neighbor without a known front has no direction.
+angles are wrapped; "perpendicular" is within φ; a neighbor without a known front has no direction;
+of walls that are equally far or near all count (two that share an inner corner often are).
 """
 
 from __future__ import annotations
@@ -19,6 +20,7 @@ from scenegen_core.scene.model import Box, Scene
 
 FAR = 10_000.0  # metres; a ray that long leaves every room
 NOBODY = 1000.0  # AverageDistance to a group of which the room holds none
+TIE = 1e-9  # metres; walls no more apart than that are equally far
 RESTING = 0.05  # metres between an upper side and the underside of what stands on it
 
 
@@ -104,31 +106,31 @@ def support(box: Box, scene: Scene, group: str) -> int:
 def towards_center(box: Box, scene: Scene) -> int:
     """TowardsCenter(O_k): the ray's first wall is one of the furthest ⌈l/2⌉."""
     outline = walls(scene)
-    by_distance = sorted(
-        range(len(outline)), key=lambda i: center(box).distance(outline[i]), reverse=True
-    )
-    furthest = by_distance[: ceil(len(outline) / 2)]
+    distances = [center(box).distance(wall) for wall in outline]
+    last = sorted(distances, reverse=True)[ceil(len(outline) / 2) - 1]
     sight = ray(box, box.heading)
     met = [
-        (center(box).distance(sight.intersection(outline[i])), i)
-        for i in range(len(outline))
-        if sight.intersects(outline[i])
+        (center(box).distance(sight.intersection(wall)), i)
+        for i, wall in enumerate(outline)
+        if sight.intersects(wall)
     ]
-    return int(bool(met) and min(met)[1] in furthest)
+    return int(bool(met) and distances[min(met)[1]] >= last - TIE)
 
 
-def nearest_walls(box: Box, scene: Scene) -> list[LineString]:
-    """argmin δ(B(O_k), W_i): one wall, or all that the footprint touches."""
+def away_from_wall(box: Box, scene: Scene, same_direction: float) -> int:
+    """AwayFromWall(O_k) = f(Ȯ_k, −a_k, c_1) ∧ (a_k ⊥ c_1)."""
     outline = walls(scene)
     least = min(footprint(box).distance(wall) for wall in outline)
-    return [wall for wall in outline if footprint(box).distance(wall) == least]
-
-
-def away_from(box: Box, wall: LineString, same_direction: float) -> int:
-    """f(Ȯ_k, −a_k, c_1) ∧ (a_k ⊥ c_1)."""
-    (x0, y0), (x1, y1) = wall.coords
-    along = abs((x1 - x0) * cos(box.heading) + (y1 - y0) * sin(box.heading)) / wall.length
-    return int(along <= sin(same_direction) and ray(box, box.heading + pi).intersects(wall))
+    for wall in outline:
+        (x0, y0), (x1, y1) = wall.coords
+        along = abs((x1 - x0) * cos(box.heading) + (y1 - y0) * sin(box.heading)) / wall.length
+        if (
+            footprint(box).distance(wall) <= least + TIE
+            and along <= sin(same_direction)
+            and ray(box, box.heading + pi).intersects(wall)
+        ):
+            return 1
+    return 0
 
 
 def direction_similarity(

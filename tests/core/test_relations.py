@@ -51,34 +51,26 @@ def measured(scene: Scene, box: Box) -> dict[Column, float]:
     return dict(zip(COLUMNS, values[0].tolist(), strict=True))
 
 
-def _away_from_wall(box: Box, scene: Scene, _: str, hair: float) -> set[float]:
-    walls = book.nearest_walls(box, scene)
-    return {book.away_from(box, wall, SAME_DIRECTION + hair) for wall in walls}
-
-
-def _direction_similarity(box: Box, scene: Scene, part: str, hair: float) -> set[float]:
+def _direction_similarity(box: Box, scene: Scene, part: str, hair: float) -> float:
     counts = book.direction_similarity(box, scene, NEARBY + hair, SAME_DIRECTION + hair)
-    return {counts[("same", "opposite").index(part)]}
+    return counts[("same", "opposite").index(part)]
 
 
-TWINS: dict[str, Callable[[Box, Scene, str, float], set[float]]] = {
-    "RP": lambda box, scene, _, hair: {book.room_position(box, scene, NEAR_WALL + hair)},
-    "AD": lambda box, scene, group, _: {book.average_distance(box, scene, group)},
-    "S": lambda box, scene, group, hair: {book.surrounded_by(box, scene, group, NEARBY + hair)},
-    "SP": lambda box, scene, group, _: {book.support(box, scene, group)},
-    "TC": lambda box, scene, *_: {book.towards_center(box, scene)},
-    "AW": _away_from_wall,
+TWINS: dict[str, Callable[[Box, Scene, str, float], float]] = {
+    "RP": lambda box, scene, _, hair: book.room_position(box, scene, NEAR_WALL + hair),
+    "AD": lambda box, scene, group, _: book.average_distance(box, scene, group),
+    "S": lambda box, scene, group, hair: book.surrounded_by(box, scene, group, NEARBY + hair),
+    "SP": lambda box, scene, group, _: book.support(box, scene, group),
+    "TC": lambda box, scene, *_: book.towards_center(box, scene),
+    "AW": lambda box, scene, _, hair: book.away_from_wall(box, scene, SAME_DIRECTION + hair),
     "DS": _direction_similarity,
-    "F": lambda box, scene, group, hair: {book.facing(box, scene, group, NEARBY + hair)},
-    "NT": lambda box, scene, group, hair: {book.next_to(box, scene, group, NEARBY + hair)},
+    "F": lambda box, scene, group, hair: book.facing(box, scene, group, NEARBY + hair),
+    "NT": lambda box, scene, group, hair: book.next_to(box, scene, group, NEARBY + hair),
 }
 
 
-def by_the_book(scene: Scene, box: Box, column: Column, hair: float = 0) -> set[float]:
-    """What the paper's equation says; several values only where several walls are nearest.
-
-    ``hair`` is added to its constants.
-    """
+def by_the_book(scene: Scene, box: Box, column: Column, hair: float = 0) -> float:
+    """What the paper's equation says; ``hair`` is added to its constants."""
     return TWINS[column.relation](box, scene, column.group, hair)
 
 
@@ -92,10 +84,9 @@ def nudged(box: Box) -> Iterable[Box]:
 def agrees(value: float, scene: Scene, box: Box, column: Column) -> bool:
     """Whether a value is the book's; a count may be the book's where everything is a hair off."""
     if column.values == "continuous":
-        (expected,) = by_the_book(scene, box, column)
-        return value == pytest.approx(expected, rel=1e-9, abs=1e-9)
+        return value == pytest.approx(by_the_book(scene, box, column), rel=1e-9, abs=1e-9)
     return any(
-        value in by_the_book(scene, near, column, hair)
+        value == by_the_book(scene, near, column, hair)
         for near in nudged(box)
         for hair in (0, -3 * HAIR, 3 * HAIR)
     )
