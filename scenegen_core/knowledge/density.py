@@ -37,7 +37,8 @@ class Terms:
     columns: Floats
     """(queries, columns): the log kernels of a column, averaged by the responsibilities."""
     agreement: Floats
-    """(queries,): how many examples share the word, against all: entropy − log n, at most 0."""
+    """(queries,): how many examples share the word, against all: entropy − log n, and what they
+    disagree about; at most 0."""
     responsibilities: Floats
     """(queries, n): how much of the density each example carries; a row sums to 1."""
 
@@ -119,9 +120,10 @@ class Density:
         """The exact additive split of the log density of a few queries (q, columns).
 
         With s_i the log kernel product of example i and r = softmax(s), log Σ exp s_i is
-        Σ r_i s_i + entropy(r), and s_i is a sum over columns.
+        Σ r_i s_i + entropy(r), and s_i is a sum over columns. All examples that speak disagree
+        with the query about equally many groups; what that costs is part of the agreement.
         """
-        columns = np.empty(queries.shape)
+        columns, agreement = np.empty(queries.shape), np.empty(len(queries))
         responsibilities = np.zeros((len(queries), len(self.rows)))
         for which, members in self._patterns(queries):
             agrees = self._agreement(queries[which[0]], members)
@@ -131,12 +133,16 @@ class Density:
                     for column in range(self.rows.shape[1])
                 ]
             )
+            dropped = ~agrees.T[:, None, :]
+            cost = DISAGREEMENT * np.count_nonzero(dropped[:, 0, 0])
+            kernels[np.broadcast_to(dropped, kernels.shape)] = 0.0
             scores = kernels.sum(axis=0)
             shares = np.exp(scores - scores.max(axis=1, keepdims=True))
             shares /= shares.sum(axis=1, keepdims=True)
             columns[which] = np.einsum("cqi,qi->qc", kernels, shares)
             responsibilities[np.ix_(which, members)] = shares
-        agreement = entr(responsibilities).sum(axis=1) - log(len(self.rows))
+            agreement[which] = cost
+        agreement += entr(responsibilities).sum(axis=1) - log(len(self.rows))
         return Terms(self.sign * columns, self.sign * agreement, responsibilities)
 
     def _patterns(self, queries: Floats) -> list[tuple[NDArray[np.intp], NDArray[np.intp]]]:

@@ -1,0 +1,168 @@
+"""May it stand there? Hard facts about poses, never part of a score.
+
+The rules are tried in the order of ``RULES``; a pose carries the index of the first that forbids
+it, or ALLOWED. The path rule is not here: it is tried for the poses on offer only (``walking``).
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+import shapely
+
+from scenegen_core.graph.situation import Situation
+from scenegen_core.graph.surroundings import Surroundings
+from scenegen_core.placement.mounts import RUG_HEIGHT, SUPPORTS, Mount, mounts
+from scenegen_core.placement.proposals import inward, stands_on
+from scenegen_core.scene.geometry import (
+    Bools,
+    Floats,
+    Ints,
+    Rectangles,
+    directions,
+    distances_to_segments,
+    gaps,
+    wrapped,
+)
+from scenegen_core.scene.model import Opening
+
+ALLOWED = -1
+RULES = ("room", "mount", "collision", "door", "window", "path")
+
+SINK = 0.005  # metres that a footprint may pass into a wall (rounding of outlines)
+PRESS = 0.002  # metres that two things may press into each other (rounding of boxes)
+LAYER = 0.01  # metres of common height below which two things do not meet
+TUCK = 0.35  # metres that a chair's seat goes under a table
+DOOR_DEPTH = 1.5  # metres; a wider opening has no leaf that swings further
+WINDOW_DEPTH = 0.5  # metres in front of a window that tall things leave free
+RESTS = 0.05  # metres; undersides this near to what carries them rest on it
+
+NATURAL_OVERLAPS: dict[frozenset[str], float] = {frozenset({"Chair", "Table"}): TUCK}
+"""Pairs of categories of which one goes under the other, and how deep, metres."""
+
+
+@dataclass(frozen=True, slots=True)
+class Space:
+    """What limits poses in a scene: the room, clear spaces before doors and windows."""
+
+    around: Surroundings
+    room: shapely.Polygon
+    doors: Rectangles
+    door_tops: Floats
+    windows: Rectangles
+    window_heights: Floats
+    """(windows, 2): bottom and top."""
+
+    @classmethod
+    def of(cls, around: Surroundings) -> Space:
+        """The space of a scene."""
+        room = shapely.Polygon(around.scene.room.corners)
+        shapely.prepare(room)
+        doors, windows = around.scene.room.doors, around.scene.room.windows
+        return cls(
+            around=around,
+            room=room,
+            doors=_clear(around, doors, None),
+            door_tops=np.array([door.top for door in doors], dtype=float),
+            windows=_clear(around, windows, WINDOW_DEPTH),
+            window_heights=np.array([(w.bottom, w.top) for w in windows]).reshape(-1, 2),
+        )
+
+
+def _clear(around: Surroundings, openings: tuple[Opening, ...], depth: float | None) -> Rectangles:
+    """The space before openings, on the inner side; without a depth as deep as they are wide."""
+    segments = np.array([(o.start, o.end) for o in openings], dtype=float).reshape(-1, 2, 2)
+    middles = segments.mean(axis=1)
+    widths = np.hypot(*(segments[:, 1] - segments[:, 0]).T)
+    wall = distances_to_segments(middles, around.walls).argmin(axis=1)
+    looks = inward(around.walls)[wall]
+    depths = np.minimum(widths, DOOR_DEPTH) if depth is None else np.full(len(widths), depth)
+    centers = middles + directions(looks) * depths[:, None] / 2
+    return Rectangles(centers, np.stack([depths, widths], axis=1) / 2, looks)
+
+
+def verdicts(situation: Situation, space: Space) -> Ints:
+    """The rule that forbids each pose, as an index of RULES, or ALLOWED: (n,)."""
+    broken = (
+        _leaves_room(situation, space),
+        _floats(situation),
+        _collides(situation).any(axis=1),
+        _blocks_door(situation, space),
+        _covers_window(situation, space),
+    )
+    verdict = np.full(len(situation.candidates), ALLOWED, dtype=np.int64)
+    for index, forbidden in reversed(list(enumerate(broken))):
+        verdict[forbidden] = index
+    return verdict
+
+
+def hit_boxes(situation: Situation) -> Bools:
+    """Which boxes each pose runs into: (n, m)."""
+    return _collides(situation)
+
+
+def _leaves_room(situation: Situation, space: Space) -> Bools:
+    candidates = situation.candidates
+    inside = shapely.contains_xy(space.room, candidates.centers[:, :2])
+    through = (situation.wall_gaps < -SINK).any(axis=1)
+    height = space.around.scene.room.height
+    too_tall = (candidates.tops > height + RESTS) | (candidates.bottoms < -RESTS)
+    return np.asarray(~inside | through | too_tall, dtype=np.bool_)
+
+
+def _floats(situation: Situation) -> Bools:
+    """Does it rest on nothing that may carry it?"""
+    candidates, around = situation.candidates, situation.surroundings
+    kinds = mounts(candidates.category, candidates.size)
+    rests = np.zeros(len(candidates), dtype=np.bool_)
+    if Mount.FLOOR in kinds:
+        rests |= np.abs(candidates.bottoms) <= RESTS
+    if Mount.WALL in kinds:
+        nearest = situation.wall_gaps.argmin(axis=1)
+        turned = wrapped(candidates.headings - inward(around.walls)[nearest])
+        near = situation.wall_gaps.min(axis=1) <= RESTS
+        rests |= near & (np.abs(turned) <= np.pi / 16) & (candidates.bottoms > RESTS)
+    if Mount.TOP in kinds:
+        carriers = SUPPORTS.get(candidates.category, ())
+        carries = np.array([box.category in carriers for box in around.scene.boxes], dtype=bool)
+        level = np.abs(candidates.bottoms[:, None] - around.tops) <= RESTS
+        standing = stands_on(candidates.footprints, around.footprints)
+        rests |= (level & carries & standing).any(axis=1)
+    return ~rests
+
+
+def _collides(situation: Situation) -> Bools:
+    candidates, around = situation.candidates, situation.surroundings
+    if candidates.size[2] <= RUG_HEIGHT:
+        return np.zeros((len(candidates), len(around)), dtype=np.bool_)
+    shared = np.minimum(candidates.tops[:, None], around.tops) - np.maximum(
+        candidates.bottoms[:, None], around.bottoms
+    )
+    allowance = np.array(
+        [
+            NATURAL_OVERLAPS.get(frozenset({candidates.category, box.category}), PRESS)
+            for box in around.scene.boxes
+        ]
+    )
+    flat = around.tops - around.bottoms <= RUG_HEIGHT
+    return np.asarray(
+        (situation.gaps < -allowance) & (shared > LAYER) & ~flat[None], dtype=np.bool_
+    )
+
+
+def _blocks_door(situation: Situation, space: Space) -> Bools:
+    candidates = situation.candidates
+    if candidates.size[2] <= RUG_HEIGHT:
+        return np.zeros(len(candidates), dtype=np.bool_)
+    meets = gaps(candidates.footprints, space.doors) < -PRESS
+    below = candidates.bottoms[:, None] < space.door_tops
+    return np.asarray((meets & below).any(axis=1), dtype=np.bool_)
+
+
+def _covers_window(situation: Situation, space: Space) -> Bools:
+    candidates = situation.candidates
+    meets = gaps(candidates.footprints, space.windows) < -PRESS
+    sill, lintel = space.window_heights.T
+    across = (candidates.tops[:, None] > sill + LAYER) & (candidates.bottoms[:, None] < lintel)
+    return np.asarray((meets & across).any(axis=1), dtype=np.bool_)

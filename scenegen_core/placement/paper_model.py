@@ -1,0 +1,81 @@
+"""The paper's model (Algorithm 1): positions by P(d_p | D_p), then headings by P(d_o | D_o)."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from scenegen_core.graph.relations import RELATIONS, Column, measure
+from scenegen_core.graph.situation import Situation
+from scenegen_core.knowledge.density import Terms
+from scenegen_core.knowledge.knowledge import ORIENTATION, POSITION, Knowledge, Prior
+from scenegen_core.scene.geometry import Floats
+from scenegen_core.scene.model import Symmetry
+
+BY_SHORT = {relation.short: relation for relation in RELATIONS}
+
+
+@dataclass(frozen=True, slots=True)
+class Scores:
+    """Log scores of n poses: what the map shows, and what decides the heading at a place."""
+
+    place: Floats
+    turn: Floats
+
+    @property
+    def total(self) -> Floats:
+        """The score of the pose as a whole."""
+        return self.place + self.turn
+
+
+@dataclass(frozen=True, slots=True)
+class Share:
+    """The exact split of log scores under one prior."""
+
+    columns: tuple[Column, ...]
+    values: Floats
+    """The feature vectors: (poses, columns)."""
+    terms: Terms
+    rooms: tuple[str, ...]
+    """The room of each example."""
+
+
+class PaperModel:
+    """The densities of one category, ready to score poses."""
+
+    def __init__(
+        self,
+        knowledge: Knowledge,
+        category: str,
+        *,
+        position: Sequence[str] = POSITION,
+        orientation: Sequence[str] = ORIENTATION,
+    ) -> None:
+        learnt = knowledge[category]
+        self._place = learnt.position(position)
+        asymmetric = learnt.category.symmetry is Symmetry.ASYMMETRIC
+        self._turn = learnt.orientation(orientation) if asymmetric else None
+
+    def score(self, situation: Situation) -> Scores:
+        """The log scores of all poses of a situation."""
+        place = self._place.density.log_density(_features(self._place, situation))
+        if self._turn is None:
+            return Scores(place, np.zeros_like(place))
+        return Scores(place, self._turn.density.log_density(_features(self._turn, situation)))
+
+    def shares(self, situation: Situation) -> tuple[Share, ...]:
+        """The split of the scores of a few poses, one a prior; their sums are the totals."""
+        return tuple(_share(prior, situation) for prior in (self._place, self._turn) if prior)
+
+
+def _features(prior: Prior, situation: Situation) -> Floats:
+    """The columns of a prior, measured: (poses, columns)."""
+    shorts = dict.fromkeys(column.relation for column in prior.columns)
+    return measure(tuple(BY_SHORT[short] for short in shorts), situation)
+
+
+def _share(prior: Prior, situation: Situation) -> Share:
+    values = _features(prior, situation)
+    return Share(prior.columns, values, prior.density.terms(values), prior.rooms)

@@ -1,0 +1,235 @@
+"""Proposals: the poses that are tried, and the cells of the heat maps that they belong to."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from math import ceil, pi
+
+import numpy as np
+import shapely
+
+from scenegen_core.graph.candidates import Candidates
+from scenegen_core.graph.surroundings import Surroundings
+from scenegen_core.placement.answer import Surface
+from scenegen_core.placement.mounts import (
+    HANGING_HEIGHT,
+    HANGING_RANGE,
+    REACHABLE_TOP,
+    SUPPORTS,
+    Mount,
+    mounts,
+)
+from scenegen_core.scene.geometry import (
+    Floats,
+    Ints,
+    Rectangles,
+    directions,
+    distances_to_segments,
+    left_of,
+)
+from scenegen_core.scene.model import Category, Point, Symmetry, Vector3
+
+CELL = 0.1  # metres between positions
+HEADINGS = 16  # of an asymmetric object, a full turn
+WALL_GAP = 0.02  # metres that furniture keeps from the wall it is pushed against (skirting)
+OVERHANG = 0.15  # metres that an object may stick out over what it stands on
+
+SURFACES: tuple[Surface, ...] = ("floor", "walls", "tops")
+"""The heat map of each mount, in the order of Mount."""
+
+
+@dataclass(frozen=True, slots=True)
+class Grid:
+    """The cells of a heat map: ``shape`` (rows, columns) of ``cell`` metres from ``origin``."""
+
+    origin: Point
+    shape: tuple[int, int]
+    cell: float = CELL
+
+    def index(self, points: Floats) -> Ints:
+        """The flat index of the cell that each point lies in: (n, 2) -> (n,)."""
+        rows, columns = self.shape
+        place = np.floor((points - self.origin) / self.cell).astype(np.int64)
+        column, row = place[:, 0].clip(0, columns - 1), place[:, 1].clip(0, rows - 1)
+        return np.asarray(row * columns + column, dtype=np.int64)
+
+
+@dataclass(frozen=True, slots=True)
+class Proposals:
+    """n poses with their ``mounts`` (n,) and ``cells`` (n,), flat in the grid of their mount."""
+
+    candidates: Candidates
+    mounts: Ints
+    cells: Ints
+    grids: dict[Mount, Grid]
+
+
+def propose(around: Surroundings, category: Category, size: Vector3) -> Proposals:
+    """All poses to try for an object: a grid, and flush along every wall."""
+    kinds = mounts(category.name, size)
+    grids = {mount: _grid(around, mount) for mount in kinds}
+    centers, headings, mount_of, cells = [], [], [], []
+    for mount in kinds:
+        for points, turns in _POSES[mount](around, category, size):
+            centers.append(points)
+            headings.append(turns)
+            mount_of.append(np.full(len(points), int(mount), dtype=np.int64))
+            flat = unrolled(around.walls, points) if mount is Mount.WALL else points[:, :2]
+            cells.append(grids[mount].index(flat))
+    candidates = Candidates(
+        category=category.name,
+        size=size,
+        centers=np.concatenate([np.empty((0, 3)), *centers]),
+        headings=np.concatenate([np.empty(0), *headings]),
+    )
+    none = np.empty(0, dtype=np.int64)
+    return Proposals(
+        candidates, np.concatenate([none, *mount_of]), np.concatenate([none, *cells]), grids
+    )
+
+
+def unrolled(walls: Floats, points: Floats) -> Floats:
+    """(metres along the outline from corner 0, height) of points at walls: (n, 3) -> (n, 2)."""
+    run = walls[:, 1] - walls[:, 0]
+    lengths = np.hypot(run[:, 0], run[:, 1])
+    starts = np.concatenate([[0.0], np.cumsum(lengths)[:-1]])
+    wall = distances_to_segments(points[:, :2], walls).argmin(axis=1)
+    along = ((points[:, :2] - walls[wall, 0]) * run[wall]).sum(axis=1) / lengths[wall]
+    return np.stack([starts[wall] + along.clip(0, lengths[wall]), points[:, 2]], axis=1)
+
+
+def inward(walls: Floats) -> Floats:
+    """Headings that look from each wall into the room: (l,). Outlines run anticlockwise."""
+    run = walls[:, 1] - walls[:, 0]
+    normal = left_of(run)
+    return np.arctan2(normal[:, 1], normal[:, 0])
+
+
+def main_direction(walls: Floats) -> float:
+    """The heading of the longest wall; grids of headings start from it."""
+    run = walls[:, 1] - walls[:, 0]
+    longest = int(np.hypot(run[:, 0], run[:, 1]).argmax())
+    return float(np.arctan2(run[longest, 1], run[longest, 0]))
+
+
+def _grid(around: Surroundings, mount: Mount) -> Grid:
+    walls = around.walls
+    if mount is Mount.WALL:
+        length = float(np.hypot(*(walls[:, 1] - walls[:, 0]).T).sum())
+        return Grid((0.0, 0.0), (ceil(around.scene.room.height / CELL), ceil(length / CELL)))
+    low, high = walls[:, 0].min(axis=0), walls[:, 0].max(axis=0)
+    columns, rows = np.ceil((high - low) / CELL - 1e-6).astype(int).clip(1)
+    return Grid((float(low[0]), float(low[1])), (int(rows), int(columns)))
+
+
+def _floor_poses(
+    around: Surroundings, category: Category, size: Vector3
+) -> Iterator[tuple[Floats, Floats]]:
+    """The grid inside the room with its headings, then flush along every wall."""
+    points = floor_points(around)
+    if category.symmetry is Symmetry.INSIDE_FACING:
+        nearest = distances_to_segments(points, around.walls).argmin(axis=1)
+        yield _raised(points, size[2] / 2), inward(around.walls)[nearest]
+    else:
+        turns = _headings(around, category, size)
+        repeated = np.repeat(points, len(turns), axis=0)
+        yield _raised(repeated, size[2] / 2), np.tile(turns, len(points))
+    quarter = category.symmetry is Symmetry.SYMMETRIC and size[0] != size[1]
+    for turn, depth, width in ((0.0, size[0], size[1]), (pi / 2, size[1], size[0])):
+        if turn == 0 or quarter:
+            flush, facing = _along_walls(around.walls, depth / 2 + WALL_GAP, width / 2 + WALL_GAP)
+            yield _raised(flush, size[2] / 2), facing + turn
+
+
+def floor_points(around: Surroundings) -> Floats:
+    """The middles of the floor cells inside the room: (n, 2)."""
+    grid = _grid(around, Mount.FLOOR)
+    rows, columns = np.mgrid[: grid.shape[0], : grid.shape[1]]
+    points = (np.stack([columns.ravel(), rows.ravel()], axis=1) + 0.5) * grid.cell + grid.origin
+    room = shapely.Polygon(around.scene.room.corners)
+    shapely.prepare(room)
+    return np.asarray(points[shapely.contains_xy(room, points)], dtype=np.float64)
+
+
+def _headings(around: Surroundings, category: Category, size: Vector3) -> Floats:
+    """The headings to try at every position, from the main direction of the room."""
+    if category.symmetry is Symmetry.ASYMMETRIC:
+        turns = np.arange(HEADINGS, dtype=np.float64) * (2 * pi / HEADINGS)
+    else:
+        turns = np.array([0.0]) if size[0] == size[1] else np.array([0.0, pi / 2])
+    return np.asarray(main_direction(around.walls) + turns, dtype=np.float64)
+
+
+def _along_walls(walls: Floats, off: float, margin: float) -> tuple[Floats, Floats]:
+    """Points ``off`` metres inside every wall, a cell apart and flush in the corners."""
+    points, headings = [np.empty((0, 2))], [np.empty(0)]
+    for (start, end), heading in zip(walls, inward(walls), strict=True):
+        length = float(np.hypot(*(end - start)))
+        if length < 2 * margin:
+            continue
+        count = max(2, ceil((length - 2 * margin) / CELL) + 1)
+        along = np.linspace(margin, length - margin, count)
+        base = start + (end - start) / length * along[:, None]
+        points.append(base + off * directions(np.array([heading])))
+        headings.append(np.full(count, heading))
+    return np.concatenate(points), np.concatenate(headings)
+
+
+def _wall_poses(
+    around: Surroundings, category: Category, size: Vector3
+) -> Iterator[tuple[Floats, Floats]]:
+    """Hanging on every wall, the usual height first."""
+    points, headings = _along_walls(around.walls, size[0] / 2, size[1] / 2)
+    usual = HANGING_HEIGHT.get(category.name, HANGING_HEIGHT["Picture"])
+    steps = np.arange(0, HANGING_RANGE + CELL / 2, CELL)
+    for shift in sorted({*steps.round(3), *(-steps).round(3)}, key=abs):
+        yield _raised(points, usual + float(shift)), headings
+
+
+def _top_poses(
+    around: Surroundings, category: Category, size: Vector3
+) -> Iterator[tuple[Floats, Floats]]:
+    """On top of each box that carries such things, facing along its axes."""
+    turns = np.arange(4) * (pi / 2) if category.symmetry is Symmetry.ASYMMETRIC else np.zeros(1)
+    for index, box in enumerate(around.scene.boxes):
+        if box.category not in SUPPORTS.get(category.name, ()) or box.top > REACHABLE_TOP:
+            continue
+        shape = around.footprints[np.array([index])]
+        points = _points_in(shape)
+        facing_out = box.category == "Storage"  # a TV on a sideboard looks where its doors do
+        headings = box.heading + (turns[:1] if facing_out else turns)
+        repeated = np.repeat(points, len(headings), axis=0)
+        poses = _raised(repeated, box.top + size[2] / 2)
+        facing = np.tile(headings, len(points))
+        half = np.broadcast_to(np.array(size[:2]) / 2, (len(poses), 2))
+        stands = stands_on(Rectangles(repeated, half, facing), shape)[:, 0]
+        yield poses[stands], facing[stands]
+
+
+def stands_on(
+    shapes: Rectangles, supports: Rectangles
+) -> np.ndarray[tuple[int, int], np.dtype[np.bool_]]:
+    """Is every corner of a shape over the support, up to the overhang?: (shapes, supports)."""
+    corners = shapes.corners[:, None, :, :] - supports.centers[None, :, None, :]
+    along = (corners[:, :, :, None, :] * supports.axes[None, :, None, :, :]).sum(axis=4)
+    room = supports.halves[None, :, None, :] + OVERHANG
+    over = (np.abs(along) <= room).all(axis=(2, 3))
+    inside = (np.abs(along.mean(axis=2)) <= supports.halves[None]).all(axis=2)
+    return np.asarray(over & inside, dtype=np.bool_)
+
+
+def _points_in(shape: Rectangles) -> Floats:
+    """A grid over one footprint, its middle included: (n, 2)."""
+    steps = [np.arange(-(half // CELL), half // CELL + 1) * CELL for half in shape.halves[0]]
+    along, across = np.meshgrid(*steps)
+    offsets = np.stack([along.ravel(), across.ravel()], axis=1)
+    return np.asarray(shape.centers[0] + offsets @ shape.axes[0], dtype=np.float64)
+
+
+def _raised(points: Floats, height: float) -> Floats:
+    """Plan points at a height: (n, 2) -> (n, 3)."""
+    return np.column_stack([points, np.full(len(points), height)])
+
+
+_POSES = {Mount.FLOOR: _floor_poses, Mount.WALL: _wall_poses, Mount.TOP: _top_poses}

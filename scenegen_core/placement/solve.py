@@ -1,0 +1,185 @@
+"""The main job: a scene and a query in, placements, heat maps and reasons out (Algorithm 1)."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+
+from scenegen_core.errors import SceneError
+from scenegen_core.graph.candidates import Candidates
+from scenegen_core.graph.situation import Situation
+from scenegen_core.graph.surroundings import Surroundings
+from scenegen_core.knowledge.knowledge import CategoryKnowledge, Knowledge
+from scenegen_core.placement.alternatives import BLOCKED_ID, Choice, choose
+from scenegen_core.placement.answer import (
+    Answer,
+    Cancelled,
+    Inspection,
+    NoGoodPlace,
+    Pose,
+    Query,
+)
+from scenegen_core.placement.explain import Explainer
+from scenegen_core.placement.feasible import ALLOWED, RULES, Space, verdicts
+from scenegen_core.placement.heat_map import heat_maps, likelihood, scale
+from scenegen_core.placement.paper_model import PaperModel, Scores
+from scenegen_core.placement.proposals import Proposals, propose
+from scenegen_core.placement.refusals import no_good_place, refusal
+from scenegen_core.placement.walking import Walking
+from scenegen_core.placement.words import sentence
+from scenegen_core.scene.geometry import Floats, Ints
+from scenegen_core.scene.model import Scene, Vector3
+
+MIN_SIZE, MAX_SIZE = 0.01, 20.0  # metres; nothing smaller or larger is furniture
+
+
+@dataclass(frozen=True, eq=False)
+class Solution:
+    """An answer with all that is needed to say more about single poses."""
+
+    answer: Answer
+    _around: Surroundings
+    _space: Space
+    _walking: Walking
+    _model: PaperModel
+    _explainer: Explainer | None
+    _bounds: tuple[float, float]
+    _learnt: CategoryKnowledge
+
+    def inspect(self, center: Vector3, heading: float) -> Inspection:
+        """What the model says of one pose, or which rule forbids it."""
+        pose = _single(self.answer.category, self.answer.size, center, heading)
+        situation = Situation(pose, self._around)
+        verdict = int(verdicts(situation, self._space)[0])
+        closed = self._walking.blocked_by(pose.box(0, BLOCKED_ID)) if verdict == ALLOWED else None
+        if verdict != ALLOWED or closed is not None:
+            rule = RULES[verdict] if closed is None else "path"
+            text = refusal(rule, situation, closed)
+            return Inspection(False, rule, None, None, text, ())
+        place = self._model.score(situation).place
+        shown = float(likelihood(place, self._bounds)[0])
+        text = sentence(situation, self._learnt.category)
+        if self._explainer is None:
+            return Inspection(True, "", None, shown, text, ())
+        why = self._explainer.explain(pose)
+        return Inspection(True, "", why.score, shown, text, why.reasons)
+
+
+def solve(
+    scene: Scene,
+    query: Query,
+    knowledge: Knowledge,
+    *,
+    cancelled: Callable[[], bool] = lambda: False,
+) -> Solution:
+    """Where the object would go in the scene.
+
+    Raises KnowledgeError if there is too little knowledge of the category, SceneError if the size
+    is none, Cancelled as soon as ``cancelled`` says that nobody waits any more.
+    """
+
+    def keep_going() -> None:
+        if cancelled():
+            raise Cancelled
+
+    learnt = knowledge[query.category]
+    size = _size(query, learnt)
+    model = PaperModel(knowledge, query.category)
+    around = Surroundings(scene, knowledge.groups)
+    space, walking = Space.of(around), Walking(around)
+    proposals = propose(around, learnt.category, size)
+    keep_going()
+    situation = Situation(proposals.candidates, around)
+    verdict = verdicts(situation, space)
+    keep_going()
+    possible = np.flatnonzero(verdict == ALLOWED)
+    scores = _scores(model, proposals, possible, around)
+    keep_going()
+    bounds = scale(scores.place[possible])
+    rng = np.random.default_rng(query.seed)
+    choice = choose(proposals, scores, walking, count=query.count, rng=rng, keep_going=keep_going)
+    explainer = Explainer(model, around, proposals.candidates[possible]) if len(possible) else None
+    answer = Answer(
+        category=query.category,
+        size=size,
+        poses=_poses(proposals, choice, scores.place, bounds, around, explainer, learnt),
+        heat_maps=heat_maps(proposals, scores.place, bounds),
+        no_good_place=_no_good_place(verdict, choice, query, size),
+    )
+    return Solution(answer, around, space, walking, model, explainer, bounds, learnt)
+
+
+def _size(query: Query, learnt: CategoryKnowledge) -> Vector3:
+    size = query.size or learnt.usual_size
+    if not all(MIN_SIZE <= length <= MAX_SIZE for length in size):
+        raise SceneError(
+            f"A {query.category.lower()} cannot be {' × '.join(f'{s:g}' for s in size)} m; "
+            f"give depth, width and height between {MIN_SIZE:g} and {MAX_SIZE:g} metres."
+        )
+    return size
+
+
+def _scores(
+    model: PaperModel, proposals: Proposals, possible: Ints, around: Surroundings
+) -> Scores:
+    """Scores of all proposals, −inf where nobody can stand."""
+    place = np.full(len(proposals.candidates), -np.inf)
+    turn = np.full(len(proposals.candidates), -np.inf)
+    if len(possible):
+        found = model.score(Situation(proposals.candidates[possible], around))
+        place[possible], turn[possible] = found.place, found.turn
+    return Scores(place, turn)
+
+
+def _poses(
+    proposals: Proposals,
+    choice: Choice,
+    place: Floats,
+    bounds: tuple[float, float],
+    around: Surroundings,
+    explainer: Explainer | None,
+    learnt: CategoryKnowledge,
+) -> tuple[Pose, ...]:
+    if explainer is None:
+        return ()
+    poses = []
+    shown = likelihood(place[choice.poses], bounds)
+    for rank, (index, value) in enumerate(zip(choice.poses, shown, strict=True), start=1):
+        single = proposals.candidates[index : index + 1]
+        why = explainer.explain(single)
+        x, y, z = single.centers[0].tolist()
+        poses.append(
+            Pose(
+                rank=rank,
+                center=(x, y, z),
+                heading=_plain(float(single.headings[0])),
+                score=why.score,
+                likelihood=float(value),
+                sentence=sentence(Situation(single, around), learnt.category),
+                reasons=why.reasons,
+                rooms=why.rooms,
+            )
+        )
+    return tuple(poses)
+
+
+def _no_good_place(
+    verdict: Ints, choice: Choice, query: Query, size: Vector3
+) -> NoGoodPlace | None:
+    if len(choice.poses):
+        return None
+    counts = {rule: int(np.count_nonzero(verdict == index)) for index, rule in enumerate(RULES)}
+    counts["path"] = int(np.count_nonzero(verdict == ALLOWED))
+    return no_good_place(query.category, size, counts, choice.closed)
+
+
+def _single(category: str, size: Vector3, center: Vector3, heading: float) -> Candidates:
+    return Candidates(category, size, np.array([center], dtype=float), np.array([heading]))
+
+
+def _plain(heading: float) -> float:
+    """A heading in (−π, π], without rounding dust."""
+    turned = (heading + np.pi) % (2 * np.pi) - np.pi
+    return round(turned, 9)
