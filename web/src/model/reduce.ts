@@ -1,6 +1,164 @@
 /** The only thing that makes a new state. */
+import {
+  chooseTool,
+  closeOutline,
+  drawDown,
+  drawHeight,
+  drawMove,
+  drawUp,
+  newRoom,
+  removeLastCorner,
+} from "./drawing";
+import {
+  deleteSelected,
+  duplicateSelected,
+  editBox,
+  editOpening,
+  editRoom,
+  moveCorner,
+  nudge,
+  turn,
+} from "./editing";
+import { edited, redo, undo } from "./history";
+import { notified } from "./notices";
+import {
+  answered,
+  confirm,
+  dragGhost,
+  inAnotherRoom,
+  inspected,
+  nudgeGhost,
+  place,
+  setMode,
+  setSize,
+  showAlternative,
+  turnGhost,
+} from "./placing";
+import { connected, graphed, modelled, resumed } from "./received";
+import { cycleSelection, select, valid } from "./selecting";
+import { cancel, show, toggleRelation } from "./showing";
 import type { Action, State } from "./state";
 
+/** What happens by itself: the invitation to begin stays. */
+const BY_ITSELF: ReadonlySet<Action["type"]> = new Set([
+  "notify",
+  "dismiss-notice",
+  "probe",
+  "connection",
+  "lists",
+  "resumed",
+  "models",
+  "answer",
+  "inspected",
+  "graph",
+] as const);
+
 export function reduce(state: State, action: Action): State {
-  return action.type === "open-scene" ? { ...state, scene: action.scene } : state;
+  const next = followed(state, changed(state, action));
+  return next.welcome && !BY_ITSELF.has(action.type) ? { ...next, welcome: false } : next;
+}
+
+function changed(state: State, action: Action): State {
+  switch (action.type) {
+    case "open-scene":
+      return { ...edited(state, action.scene, true), tool: "select", draft: null };
+    case "new-room":
+      return newRoom(state);
+    case "edit-room":
+      return editRoom(state, action.room, action.done);
+    case "edit-box":
+      return editBox(state, action.box, action.done);
+    case "edit-opening":
+      return editOpening(state, action.opening, action.value, action.done);
+    case "move-corner":
+      return moveCorner(state, action.index, action.to, action.done);
+    case "nudge":
+      return state.placing === null ? nudge(state, action.by) : nudgeGhost(state, action.by);
+    case "turn":
+      return state.placing === null ? turn(state, action.by) : turnGhost(state, action.by);
+    case "delete-selected":
+      return deleteSelected(state);
+    case "duplicate-selected":
+      return duplicateSelected(state);
+    case "undo":
+      return undo(state);
+    case "redo":
+      return redo(state);
+    case "choose-tool":
+      return chooseTool(state, action.tool);
+    case "draw-down":
+      return drawDown(state, action.at, action.free);
+    case "draw-move":
+      return drawMove(state, action.at, action.free);
+    case "draw-up":
+      return drawUp(state, action.at, action.free);
+    case "draw-height":
+      return drawHeight(state, action.height, action.done);
+    case "close-outline":
+      return closeOutline(state);
+    case "remove-last-corner":
+      return removeLastCorner(state);
+    case "select":
+      return select(state, action.selection);
+    case "cycle-selection":
+      return cycleSelection(state, action.by);
+    case "place":
+      return place(state, action);
+    case "set-mode":
+      return setMode(state, action.mode, action.view);
+    case "set-size":
+      return setSize(state, action.size);
+    case "show-alternative":
+      return showAlternative(state, action.rank);
+    case "drag-ghost":
+      return dragGhost(state, action.pose);
+    case "confirm":
+      return confirm(state);
+    case "cancel":
+      return cancel(state);
+    case "set-camera":
+      return show(state, { camera: action.camera });
+    case "toggle-layer":
+      return show(state, { [action.layer]: !state.shown[action.layer] });
+    case "set-heat-opacity":
+      return show(state, { heatOpacity: Math.min(1, Math.max(0, action.opacity)) });
+    case "toggle-relation":
+      return toggleRelation(state, action.relation);
+    case "probe":
+      return { ...state, probe: action.probe };
+    case "toggle-help":
+      return { ...state, help: !state.help };
+    case "touched":
+      return state;
+    case "notify":
+      return notified(state, action.tone, action.text);
+    case "dismiss-notice":
+      return state.notice === null ? state : { ...state, notice: null };
+    case "connection":
+      return connected(state, action.connection);
+    case "lists":
+      return { ...state, lists: action.lists };
+    case "resumed":
+      return resumed(state, action.scene);
+    case "models":
+      return modelled(state, action.boxes);
+    case "answer":
+      return answered(state, action.answer, action.heatMaps);
+    case "inspected":
+      return inspected(state, action.inspected);
+    case "graph":
+      return graphed(state, action.graph);
+  }
+}
+
+/** What follows from a change of the scene, whoever made it. */
+function followed(before: State, after: State): State {
+  const { scene, placing } = after;
+  if (scene === before.scene) return after;
+  const selection = valid(scene, after.selection);
+  if (scene.id !== before.scene.id) {
+    return inAnotherRoom({ ...after, selection, models: {}, graph: null, probe: null });
+  }
+  if (placing === null) return { ...after, selection };
+  return { ...after, selection, placing: { ...placing, computing: true } };
 }

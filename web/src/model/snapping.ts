@@ -5,16 +5,28 @@
  * `free` (Alt held) lets go of everything.
  */
 import type { BoxRecord, SceneRecord } from "../net/protocol.gen";
-import { bottomOf, CONTACT, floorPoint, headingOf, movedTo, reach, topOf } from "./footprints";
+import {
+  bottomOf,
+  CONTACT,
+  floorPoint,
+  footprint,
+  headingOf,
+  movedTo,
+  reach,
+  topOf,
+} from "./footprints";
 import {
   add,
   angleOf,
   direction,
+  distance,
   dot,
   leftOf,
+  nearestOn,
   roundedPoint,
   type Segment,
   scale,
+  sides,
   subtract,
   wrapped,
 } from "./geometry";
@@ -59,6 +71,19 @@ export function snapBox(scene: SceneRecord, box: BoxRecord, free: boolean): Snap
   }
   const aligned = alignWith(scene, turned, [first.along]);
   return { box: aligned.box, guides: [first.segment, ...aligned.guides] };
+}
+
+/** A point of a drawn box on the corner, the wall or the edge that it is near to. */
+export function snapPoint(scene: SceneRecord, point: Point, free: boolean): Point {
+  if (free) return roundedPoint(point);
+  const outlines = [scene.room.corners, ...scene.boxes.map((box) => footprint(box))];
+  const onCorners = outlines.flat();
+  const onSides = outlines.flatMap(sides).map((side) => nearestOn(point, side));
+  for (const candidates of [onCorners, onSides]) {
+    const [best] = candidates.toSorted((a, b) => distance(a, point) - distance(b, point));
+    if (best !== undefined && distance(best, point) <= EDGE_REACH) return roundedPoint(best);
+  }
+  return roundedPoint(point);
 }
 
 /** The heading with the back to the wall, or the nearest square one for what has no back. */

@@ -1,0 +1,220 @@
+/** What a pointer on the floor draws: the outline of a room, boxes, doors and windows. */
+import type { BoxRecord, OpeningRecord } from "../net/protocol.gen";
+import { editBox, editOpening } from "./editing";
+import {
+  add,
+  along,
+  between,
+  direction,
+  distance,
+  dot,
+  leftOf,
+  rounded,
+  scale,
+  subtract,
+} from "./geometry";
+import { edited } from "./history";
+import { emptyScene } from "./initial";
+import { likelyCategories } from "./labels";
+import { refused } from "./notices";
+import { anticlockwise, assisted, outlineProblem, withNextCorner } from "./outlines";
+import { freeId, type OpeningKind, openingsOf } from "./scenes";
+import { snapPoint } from "./snapping";
+import type { Draft, Point, State, Tool } from "./state";
+import { headingFromWall, nearestWall, onWall, snappedToWall } from "./walls";
+
+/** A box drawn with a shorter side was a slip, metres. */
+const MIN_SIDE = 0.05;
+/** The height that is offered first for a drawn box: a table's, metres. */
+const FIRST_HEIGHT = 0.75;
+/** A door or window drawn shorter than this was a click: it gets the usual width, metres. */
+const MIN_OPENING = 0.2;
+/** Doors and windows this near to a redrawn wall stay, metres. */
+const STAYS = 0.3;
+
+/** Usual doors and windows, metres: width, and from where to where above the floor. */
+const USUAL = {
+  door: { width: 0.9, bottom: 0, top: 2.0 },
+  window: { width: 1.2, bottom: 0.9, top: 2.1 },
+} as const;
+
+export function chooseTool(state: State, tool: Tool): State {
+  return { ...state, tool, draft: tool === "room" ? blankOutline() : null };
+}
+
+/** A bare room in place of this one, and the tool to draw its outline. */
+export function newRoom(state: State): State {
+  const opened = edited(state, emptyScene(`room-${state.nextId}`), true);
+  return chooseTool({ ...opened, nextId: state.nextId + 1, selection: null }, "room");
+}
+
+export function drawDown(state: State, at: Point, free: boolean): State {
+  const { draft } = state;
+  if (draft?.kind === "box-height") return finishBox(state, draft.box);
+  switch (state.tool) {
+    case "select":
+      return state;
+    case "room":
+      return drawMove(state, at, free);
+    case "box": {
+      const start = snapPoint(state.scene, at, free);
+      const heading = free ? 0 : headingFromWall(state.scene.room, start);
+      return {
+        ...state,
+        selection: null,
+        draft: { kind: "box-floor", start, end: start, heading },
+      };
+    }
+    case "door":
+    case "window": {
+      const start = onNearestWall(state, at, at);
+      return { ...state, draft: { kind: "opening", opening: state.tool, start, end: start } };
+    }
+  }
+}
+
+export function drawMove(state: State, at: Point, free: boolean): State {
+  const { draft, scene } = state;
+  if (draft === null) return state;
+  switch (draft.kind) {
+    case "room":
+      return { ...state, draft: { ...draft, pointer: assisted(draft.corners, at, free) } };
+    case "box-floor":
+      return { ...state, draft: { ...draft, end: snapPoint(scene, at, free) } };
+    case "box-height":
+      return state;
+    case "opening":
+      return { ...state, draft: { ...draft, end: onNearestWall(state, at, draft.start) } };
+  }
+}
+
+export function drawUp(state: State, at: Point, free: boolean): State {
+  const moved = drawMove(state, at, free);
+  const { draft } = moved;
+  if (draft === null) return moved;
+  switch (draft.kind) {
+    case "room":
+      return addCorner(moved, draft);
+    case "box-floor": {
+      const box = draftBox(moved, draft);
+      const big = Math.min(box.size[0], box.size[1]) >= MIN_SIDE;
+      return { ...moved, draft: big ? { kind: "box-height", box } : null };
+    }
+    case "box-height":
+      return moved;
+    case "opening":
+      return finishOpening(moved, draft);
+  }
+}
+
+/** The height of the drawn box, metres; `done` makes it part of the scene. */
+export function drawHeight(state: State, height: number, done: boolean): State {
+  if (state.draft?.kind !== "box-height") return state;
+  const { box } = state.draft;
+  const tall = rounded(Math.min(Math.max(height, MIN_SIDE), state.scene.room.height));
+  const next: BoxRecord = {
+    ...box,
+    size: [box.size[0], box.size[1], tall],
+    center: [box.center[0], box.center[1], tall / 2],
+  };
+  if (done) return finishBox(state, next);
+  return { ...state, draft: { kind: "box-height", box: next } };
+}
+
+/** The outline becomes the room, if it is one; doors and windows stay where there is a wall. */
+export function closeOutline(state: State): State {
+  if (state.draft?.kind !== "room") return state;
+  const problem = outlineProblem(state.draft.corners);
+  if (problem !== null) return refused(state, problem);
+  const { room } = state.scene;
+  const bare = { ...room, corners: anticlockwise(state.draft.corners) };
+  const stay = (openings: readonly OpeningRecord[]): readonly OpeningRecord[] =>
+    openings
+      .map((opening) => ({ opening, moved: snappedToWall(bare, opening) }))
+      .filter(({ opening, moved }) => distance(middleOf(opening), middleOf(moved)) < STAYS)
+      .map(({ moved }) => moved);
+  const outlined = { ...bare, doors: stay(room.doors), windows: stay(room.windows) };
+  return edited(
+    { ...state, draft: null, tool: "select" },
+    { ...state.scene, room: outlined },
+    true,
+  );
+}
+
+export function removeLastCorner(state: State): State {
+  if (state.draft?.kind !== "room") return state;
+  return { ...state, draft: { ...state.draft, corners: state.draft.corners.slice(0, -1) } };
+}
+
+/** The box over the rectangle between two opposite corners, its sides along the heading. */
+export function draftBox(state: State, draft: Draft & { readonly kind: "box-floor" }): BoxRecord {
+  const ahead = direction(draft.heading);
+  const diagonal = subtract(draft.end, draft.start);
+  const middle = between(draft.start, draft.end, 0.5);
+  return {
+    id: freeId("box", state.scene.boxes),
+    category: "Other",
+    center: [rounded(middle[0]), rounded(middle[1]), FIRST_HEIGHT / 2],
+    size: [
+      rounded(Math.abs(dot(diagonal, ahead))),
+      rounded(Math.abs(dot(diagonal, leftOf(ahead)))),
+      FIRST_HEIGHT,
+    ],
+    heading: draft.heading,
+    front_from_wall: true,
+  };
+}
+
+function blankOutline(): Draft {
+  return { kind: "room", corners: [], pointer: null };
+}
+
+function addCorner(state: State, draft: Draft & { readonly kind: "room" }): State {
+  const corner = draft.pointer;
+  if (corner === null) return state;
+  if (draft.corners.length >= 3 && corner === draft.corners[0]) return closeOutline(state);
+  const corners = withNextCorner(draft.corners, corner);
+  if (corners === null) return state;
+  if (typeof corners === "string") return refused(state, corners);
+  return { ...state, draft: { ...draft, corners } };
+}
+
+function finishBox(state: State, box: BoxRecord): State {
+  const [category = "Other"] = likelyCategories(box.size, state.lists.categories);
+  const next = editBox({ ...state, draft: null, tool: "select" }, { ...box, category }, true);
+  return { ...next, selection: { kind: "box", id: box.id } };
+}
+
+function finishOpening(state: State, draft: Draft & { readonly kind: "opening" }): State {
+  const kind: OpeningKind = draft.opening;
+  const usual = USUAL[kind];
+  const wall = nearestWall(state.scene.room, draft.start);
+  if (wall === undefined) return { ...state, draft: null };
+  const drawn = distance(draft.start, draft.end);
+  const middle = drawn < MIN_OPENING ? draft.start : between(draft.start, draft.end, 0.5);
+  const opening = onWall(
+    {
+      id: freeId(kind, openingsOf(state.scene.room, kind)),
+      start: draft.start,
+      end: draft.end,
+      bottom: usual.bottom,
+      top: Math.min(usual.top, state.scene.room.height),
+    },
+    wall,
+    along(middle, wall.segment) * wall.length,
+    drawn < MIN_OPENING ? usual.width : drawn,
+  );
+  const next = editOpening({ ...state, draft: null, tool: "select" }, kind, opening, true);
+  return { ...next, selection: { kind, id: opening.id } };
+}
+
+/** The point on the wall nearest to `near`, at the height of `at` along it. */
+function onNearestWall(state: State, at: Point, near: Point): Point {
+  const wall = nearestWall(state.scene.room, near);
+  if (wall === undefined) return at;
+  return add(wall.segment[0], scale(wall.along, along(at, wall.segment) * wall.length));
+}
+
+function middleOf(opening: OpeningRecord): Point {
+  return between(opening.start, opening.end, 0.5);
+}

@@ -1,0 +1,154 @@
+/** Boxes, doors, windows and corners changed, moved, turned, doubled and taken away. */
+import {
+  type BoxRecord,
+  MAX_BOXES,
+  type OpeningRecord,
+  type RoomRecord,
+} from "../net/protocol.gen";
+import { floorPoint, headingOf, movedTo } from "./footprints";
+import { add, direction, leftOf, roundedPoint, scale, wrapped } from "./geometry";
+import { edited } from "./history";
+import { refused } from "./notices";
+import { outlineProblem } from "./outlines";
+import {
+  boxOf,
+  freeId,
+  type OpeningKind,
+  openingsOf,
+  withBox,
+  withOpening,
+  withoutBox,
+  withoutOpening,
+} from "./scenes";
+import type { Point, State } from "./state";
+import { snappedToWall, withCorners } from "./walls";
+
+/** A copy stands this far beside the original, beyond its width, metres. */
+const BESIDE = 0.1;
+
+export function editBox(state: State, box: BoxRecord, done: boolean): State {
+  const old = boxOf(state.scene, box.id);
+  if (old === undefined && state.scene.boxes.length >= MAX_BOXES) {
+    return refused(state, `A room holds ${MAX_BOXES} things at most. Remove some first.`);
+  }
+  return edited(state, withBox(state.scene, old === undefined ? box : seen(old, box)), done);
+}
+
+/** Who turns a thing where it stands has seen its front: it is no guess from the wall any more. */
+function seen(old: BoxRecord, box: BoxRecord): BoxRecord {
+  const stayed = old.center[0] === box.center[0] && old.center[1] === box.center[1];
+  if (!stayed || headingOf(old) === headingOf(box)) return box;
+  return { ...box, front_known: true, front_from_wall: false };
+}
+
+/** The room changed from a panel (height, kind, a typed length); refused if it is no room. */
+export function editRoom(state: State, room: RoomRecord, done: boolean): State {
+  const problem = outlineProblem(room.corners);
+  if (problem !== null) return refused(state, problem);
+  return edited(state, { ...state.scene, room }, done);
+}
+
+export function editOpening(
+  state: State,
+  kind: OpeningKind,
+  value: OpeningRecord,
+  done: boolean,
+): State {
+  const { room } = state.scene;
+  const opening = snappedToWall(room, value);
+  return edited(state, { ...state.scene, room: withOpening(room, kind, opening) }, done);
+}
+
+/** The corner where it was dragged; it stays where it was while the walls would cross. */
+export function moveCorner(state: State, index: number, to: Point, done: boolean): State {
+  const { room } = state.scene;
+  const corners = room.corners.map((corner, i) => (i === index ? roundedPoint(to) : corner));
+  const problem = outlineProblem(corners);
+  if (problem === null) {
+    return edited(state, { ...state.scene, room: withCorners(room, corners) }, done);
+  }
+  const closed = edited(state, state.scene, done);
+  return done ? refused(closed, problem) : closed;
+}
+
+/** What is selected, moved by metres. */
+export function nudge(state: State, by: Point): State {
+  const { selection, scene } = state;
+  if (selection === null) return state;
+  switch (selection.kind) {
+    case "box": {
+      const box = boxOf(scene, selection.id);
+      if (box === undefined) return state;
+      return editBox(state, movedTo(box, roundedPoint(add(floorPoint(box), by))), true);
+    }
+    case "door":
+    case "window": {
+      const opening = openingsOf(scene.room, selection.kind).find(({ id }) => id === selection.id);
+      if (opening === undefined) return state;
+      const moved = { ...opening, start: add(opening.start, by), end: add(opening.end, by) };
+      return editOpening(state, selection.kind, moved, true);
+    }
+    case "corner": {
+      const corner = scene.room.corners[selection.index];
+      return corner === undefined
+        ? state
+        : moveCorner(state, selection.index, add(corner, by), true);
+    }
+  }
+}
+
+/** The selected box turned by radians, anticlockwise. */
+export function turn(state: State, by: number): State {
+  const box = selectedBox(state);
+  if (box === undefined) return state;
+  return editBox(state, { ...box, heading: wrapped(headingOf(box) + by) }, true);
+}
+
+export function deleteSelected(state: State): State {
+  const { selection, scene } = state;
+  if (selection === null) return state;
+  switch (selection.kind) {
+    case "box":
+      return edited(state, withoutBox(scene, selection.id), true);
+    case "door":
+    case "window": {
+      const room = withoutOpening(scene.room, selection.kind, selection.id);
+      return edited(state, { ...scene, room }, true);
+    }
+    case "corner":
+      return deleteCorner(state, selection.index);
+  }
+}
+
+/** The selected box once more, beside it; the copy is selected. */
+export function duplicateSelected(state: State): State {
+  const box = selectedBox(state);
+  if (box === undefined) return state;
+  const aside = scale(leftOf(direction(headingOf(box))), box.size[1] + BESIDE);
+  const copy = {
+    ...movedTo(box, roundedPoint(add(floorPoint(box), aside))),
+    id: freeId("box", state.scene.boxes),
+  };
+  const next = editBox(state, copy, true);
+  if (next.scene === state.scene) return next;
+  return { ...next, selection: { kind: "box", id: copy.id } };
+}
+
+function selectedBox(state: State): BoxRecord | undefined {
+  const { selection, scene } = state;
+  return selection?.kind === "box" ? boxOf(scene, selection.id) : undefined;
+}
+
+function deleteCorner(state: State, index: number): State {
+  const { room } = state.scene;
+  const corners = room.corners.filter((_, i) => i !== index);
+  const problem = outlineProblem(corners);
+  if (problem !== null) return refused(state, problem);
+  const without = { ...room, corners };
+  const next = {
+    ...without,
+    doors: room.doors.map((door) => snappedToWall(without, door)),
+    windows: room.windows.map((window) => snappedToWall(without, window)),
+  };
+  return edited({ ...state, selection: null }, { ...state.scene, room: next }, true);
+}

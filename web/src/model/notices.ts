@@ -1,0 +1,11 @@
+/** Sentences for the person. */
+import type { Notice, State } from "./state";
+
+export function notified(state: State, tone: Notice["tone"], text: string): State {
+  return { ...state, notice: { id: state.nextId, tone, text }, nextId: state.nextId + 1 };
+}
+
+/** Nothing changes but that a sentence says why. */
+export function refused(state: State, text: string): State {
+  return notified(state, "problem", text);
+}

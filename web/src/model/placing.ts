@@ -1,0 +1,210 @@
+/** An object on its way into the room: by hand (Manual) or by proposal (SceneGen). */
+import type { Answer, BoxRecord, Inspected } from "../net/protocol.gen";
+import { add, roundedPoint, wrapped } from "./geometry";
+import { edited } from "./history";
+import { usualSize } from "./labels";
+import { refused } from "./notices";
+import { type Obstacle, obstacleOf, obstacleSentence } from "./obstacles";
+import { poseAt, resized, settled } from "./resting";
+import { freeId, withBox } from "./scenes";
+import type { HeatMap, Mode, Placing, Point, Pose, State, Vector3 } from "./state";
+
+/** The id of the ghost as a box; no box of a scene has it. */
+export const GHOST = "ghost";
+
+interface Wish {
+  readonly category: string;
+  readonly item: string | null;
+  readonly size: Vector3 | null;
+  readonly mode: Mode;
+  readonly view: Point;
+}
+
+export function place(state: State, wish: Wish): State {
+  const { category, item, mode, view } = wish;
+  const size = wish.size ?? sizeOf(state, category, item);
+  const placing: Placing = {
+    ask: `ask-${state.nextId}`,
+    mode,
+    category,
+    item,
+    wishedSize: wish.size,
+    size,
+    asset: state.lists.catalogue.find(({ id }) => id === item)?.asset ?? null,
+    pose: mode === "manual" ? poseAt(state.scene, category, size, view) : null,
+    alternative: mode === "manual" ? null : 1,
+    computing: true,
+    answer: null,
+    heatMaps: [],
+    inspected: null,
+  };
+  return {
+    ...state,
+    placing,
+    nextId: state.nextId + 1,
+    tool: "select",
+    draft: null,
+    selection: null,
+  };
+}
+
+/** The same object and size in the other mode: by hand where the view is, or on proposal 1. */
+export function setMode(state: State, mode: Mode, view: Point): State {
+  const { placing, scene } = state;
+  if (placing === null || placing.mode === mode) return state;
+  const byHand = { ...placing, mode, alternative: null, inspected: null };
+  if (mode === "manual") {
+    const pose = poseAt(scene, placing.category, placing.size, view);
+    return { ...state, placing: { ...byHand, pose } };
+  }
+  return { ...state, placing: onAlternative(byHand, 1) };
+}
+
+/** Another size, or null for the usual one: another question, while the old map stays. */
+export function setSize(state: State, wished: Vector3 | null): State {
+  const { placing } = state;
+  if (placing === null) return state;
+  const size = wished ?? sizeOf(state, placing.category, placing.item);
+  const { pose, category } = placing;
+  const next: Placing = {
+    ...placing,
+    ask: `ask-${state.nextId}`,
+    wishedSize: wished,
+    size,
+    pose: pose === null ? null : resized(category, placing.size, size, pose),
+    computing: true,
+    inspected: null,
+  };
+  return { ...state, placing: next, nextId: state.nextId + 1 };
+}
+
+export function showAlternative(state: State, rank: number): State {
+  const { placing } = state;
+  if (placing?.mode !== "scenegen" || placementOf(placing, rank) === undefined) return state;
+  return { ...state, placing: onAlternative(placing, rank) };
+}
+
+/** The ghost where it was dragged: from then on its pose is the person's. */
+export function dragGhost(state: State, pose: Pose): State {
+  const { placing, scene } = state;
+  if (placing === null) return state;
+  const standing = settled(scene, placing.category, placing.size, pose);
+  return { ...state, placing: { ...placing, pose: standing, alternative: null } };
+}
+
+export function nudgeGhost(state: State, by: Point): State {
+  const pose = state.placing?.pose;
+  if (pose == null) return state;
+  const [x, y] = roundedPoint(add([pose.center[0], pose.center[1]], by));
+  return dragGhost(state, { ...pose, center: [x, y, pose.center[2]] });
+}
+
+export function turnGhost(state: State, by: number): State {
+  const pose = state.placing?.pose;
+  if (pose == null) return state;
+  return dragGhost(state, { ...pose, heading: wrapped(pose.heading + by) });
+}
+
+/** The ghost becomes a box of the scene, in one step, unless something is in the way. */
+export function confirm(state: State): State {
+  const ghost = ghostBox(state);
+  if (ghost === null || state.placing === null) return state;
+  const obstacle = ghostObstacle(state);
+  if (obstacle !== null) return refused(state, obstacleSentence(obstacle));
+  const box = { ...ghost, id: freeId("box", state.scene.boxes) };
+  const { asset } = state.placing;
+  return {
+    ...edited(state, withBox(state.scene, box), true),
+    placing: null,
+    probe: null,
+    selection: { kind: "box", id: box.id },
+    models: asset === null ? state.models : { ...state.models, [box.id]: asset },
+  };
+}
+
+/** The answer to the ask in force; others, and those older than the last, change nothing. */
+export function answered(state: State, answer: Answer, heatMaps: readonly HeatMap[]): State {
+  const { placing, connection } = state;
+  if (placing === null || answer.ask !== placing.ask) return state;
+  const last = placing.answer;
+  if (last !== null && last.ask === answer.ask && answer.revision < last.revision) return state;
+  const { pose, category } = placing;
+  const next: Placing = {
+    ...placing,
+    answer,
+    heatMaps,
+    size: answer.size,
+    asset: answer.asset,
+    pose: pose === null ? null : resized(category, placing.size, answer.size, pose),
+    computing: answer.revision < connection.revision || connection.unsent > 0,
+  };
+  const follows = next.mode === "scenegen" && (next.alternative !== null || pose === null);
+  return { ...state, placing: follows ? onAlternative(next, next.alternative ?? 1) : next };
+}
+
+export function inspected(state: State, value: Inspected): State {
+  const { placing } = state;
+  if (placing === null || value.ask !== placing.ask || placing.alternative !== null) return state;
+  return { ...state, placing: { ...placing, inspected: value } };
+}
+
+/** The ghost as a box; null while it stands nowhere. */
+export function ghostBox(state: State): BoxRecord | null {
+  const { placing } = state;
+  if (placing === null || placing.pose === null) return null;
+  const { category, size, item, pose } = placing;
+  const box = { id: GHOST, category, center: pose.center, size, heading: pose.heading };
+  return item === null ? { ...box, placed: true } : { ...box, placed: true, item };
+}
+
+/** What the ghost runs into: the view outlines it red, and it cannot be placed. */
+export function ghostObstacle(state: State): Obstacle | null {
+  const ghost = ghostBox(state);
+  return ghost === null ? null : obstacleOf(state.scene, ghost);
+}
+
+/** The question again under a new id: what the old one had is no longer good. */
+export function askAgain(state: State): State {
+  if (state.placing === null) return state;
+  const placing = { ...state.placing, ask: `ask-${state.nextId}`, computing: true };
+  return { ...state, placing, nextId: state.nextId + 1 };
+}
+
+/** The ghost in another room: nothing that was said of the last one is true of this one. */
+export function inAnotherRoom(state: State): State {
+  if (state.placing === null) return state;
+  const next = askAgain(state);
+  const { placing, scene } = next;
+  if (placing === null) return next;
+  const middle = middleOf(scene.room.corners);
+  const byHand = placing.mode === "manual";
+  const pose = byHand ? poseAt(scene, placing.category, placing.size, middle) : null;
+  const alternative = byHand ? null : 1;
+  const bare = { answer: null, heatMaps: [], inspected: null };
+  return { ...next, placing: { ...placing, ...bare, pose, alternative } };
+}
+
+function placementOf(placing: Placing, rank: number) {
+  return placing.answer?.placements.find((placement) => placement.rank === rank);
+}
+
+/** On that alternative, else on the first; nowhere if there is none. */
+function onAlternative(placing: Placing, rank: number): Placing {
+  const placement = placementOf(placing, rank) ?? placing.answer?.placements[0];
+  const pose =
+    placement === undefined ? null : { center: placement.center, heading: placement.heading };
+  return { ...placing, pose, alternative: placement?.rank ?? 1, inspected: null };
+}
+
+function sizeOf(state: State, category: string, item: string | null): Vector3 {
+  const known = state.lists.catalogue.find(({ id }) => id === item);
+  return known?.size ?? usualSize(category, state.lists.categories);
+}
+
+function middleOf(corners: readonly Point[]): Point {
+  const xs = corners.map(([x]) => x);
+  const ys = corners.map(([, y]) => y);
+  const middle = (values: readonly number[]): number =>
+    (Math.min(...values) + Math.max(...values)) / 2;
+  return [middle(xs), middle(ys)];
+}
