@@ -1,1 +1,1 @@
-"""The commands of ``scenegen``: each module has ``add_arguments(parser)`` and ``run(arguments)``."""
+"""The commands of ``scenegen``: each has ``add_arguments(parser)`` and ``run(arguments)``."""
