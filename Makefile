@@ -15,7 +15,7 @@ PYTHON ?= $(firstword $(foreach name,python3 python3.13 python3.12 python3.11,\
 INSTALLED := .venv/.installed
 INSTALLED_FOR_TESTS := .venv/.installed-for-tests
 NODE_MODULES := node_modules/.package-lock.json
-SCANS := web/public/rooms/scans/living-room.json
+SCANS := web/public/rooms/scans/scan-living-room.json
 PAGE := web/dist/index.html
 PAGE_SOURCES := $(shell find web/src web/public web/*.html -type f -not -path '*/scans/*' 2>/dev/null) \
 	package.json vite.config.ts tsconfig.json

@@ -199,10 +199,10 @@ def main() -> None:
     options = parser.parse_args()
     options.rooms.mkdir(parents=True, exist_ok=True)
     for stem, (name, room_type) in ROOMS.items():
-        file_name = stem.replace("_", "-")
+        scene_id = f"scan-{stem.replace('_', '-')}"  # sample rooms have ids of the same kind
         text = (options.captures / f"{stem}.json").read_bytes()
-        scan = read_capture(text, name=name, room_type=room_type, scene_id=f"scans/{file_name}")
-        (options.rooms / f"{file_name}.json").write_bytes(write_scene(scan.scene))
+        scan = read_capture(text, name=name, room_type=room_type, scene_id=scene_id)
+        (options.rooms / f"{scene_id}.json").write_bytes(write_scene(scan.scene))
         left_out = f", left out {len(scan.dropped)} outside the room" if scan.dropped else ""
         sys.stdout.write(f"{name}: {len(scan.scene.boxes)} boxes{left_out}\n")
 

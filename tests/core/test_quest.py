@@ -166,7 +166,7 @@ def real(request: pytest.FixtureRequest) -> tuple[str, Scan]:
     if not CAPTURES.is_dir():
         pytest.fail("The captures are missing; run: npm ci")
     stem = str(request.param)
-    return stem, read_capture((CAPTURES / f"{stem}.json").read_bytes(), scene_id=f"scans/{stem}")
+    return stem, read_capture((CAPTURES / f"{stem}.json").read_bytes(), scene_id=f"scan-{stem}")
 
 
 # Counted by hand in the captures: volumes and pictures, less what hangs in the next room.
