@@ -8,10 +8,9 @@ from dataclasses import dataclass
 import numpy as np
 
 from scenegen_core.graph.candidates import Candidates
-from scenegen_core.placement.paper_model import Scores
 from scenegen_core.placement.proposals import Proposals
 from scenegen_core.placement.walking import Walking
-from scenegen_core.scene.geometry import Ints
+from scenegen_core.scene.geometry import Floats, Ints
 
 APART = 0.75  # metres between two alternatives
 TRIES = 300  # poses whose ways are checked before giving up
@@ -30,14 +29,14 @@ class Choice:
 
 def choose(
     proposals: Proposals,
-    scores: Scores,
+    scores: Floats,
     walking: Walking,
     *,
     count: int,
     rng: np.random.Generator,
     keep_going: Callable[[], None],
 ) -> Choice:
-    """Up to ``count`` poses at least APART; ties by ``rng``. Scores are of all proposals.
+    """Up to ``count`` poses at least APART; ties by ``rng``. ``scores`` (n,) of all proposals.
 
     ``keep_going`` is called now and then and raises to abandon the work.
     """
@@ -59,18 +58,14 @@ def choose(
 
 
 def _best_of_places(
-    proposals: Proposals, scores: Scores, rng: np.random.Generator
+    proposals: Proposals, scores: Floats, rng: np.random.Generator
 ) -> Iterator[int]:
-    """The best-turned pose of each cell, the best cell first."""
+    """The best pose of each cell, the best cell first."""
     place = proposals.mounts * (1 << 40) + proposals.cells
-    jitter = rng.random(len(place)) * TIE
-    ranked = np.lexsort((-(scores.place + jitter), -scores.turn.round(9), place))
+    jittered = scores + rng.random(len(scores)) * TIE
+    ranked = np.argsort(-jittered, kind="stable")
     _, first = np.unique(place[ranked], return_index=True)
-    best = ranked[first]
-    by_place = np.full(len(best), -np.inf)
-    np.maximum.at(by_place, np.searchsorted(place[best], place), scores.place + jitter)
-    order = np.argsort(-by_place, kind="stable")
-    yield from (int(pose) for pose in best[order] if np.isfinite(scores.place[pose]))
+    yield from (int(pose) for pose in ranked[np.sort(first)] if np.isfinite(scores[pose]))
 
 
 def _near_any(candidates: Candidates, pose: int, chosen: list[int]) -> bool:

@@ -1,4 +1,8 @@
-"""The paper's model (Algorithm 1): positions by P(d_p | D_p), then headings by P(d_o | D_o)."""
+"""The paper's model (Algorithm 1): P(d_p | D_p) of the position, P(d_o | D_o) of the heading there.
+
+The pose recommended is the one of the highest P(d_p) · P(d_o), as Algorithm 1 says. The paper's
+program sampled headings at the best position only, to save time (docs/decisions.md).
+"""
 
 from __future__ import annotations
 
@@ -19,15 +23,15 @@ BY_SHORT = {relation.short: relation for relation in RELATIONS}
 
 @dataclass(frozen=True, slots=True)
 class Scores:
-    """Log scores of n poses: what the map shows, and what decides the heading at a place."""
+    """Log scores of n poses: log P(d_p), and log P(d_o), which is 0 for what has no front."""
 
-    place: Floats
-    turn: Floats
+    position: Floats
+    orientation: Floats
 
     @property
     def total(self) -> Floats:
         """The score of the pose as a whole."""
-        return self.place + self.turn
+        return self.position + self.orientation
 
 
 @dataclass(frozen=True, slots=True)
@@ -54,20 +58,24 @@ class PaperModel:
         orientation: Sequence[str] = ORIENTATION,
     ) -> None:
         learnt = knowledge[category]
-        self._place = learnt.position(position)
+        self._position = learnt.position(position)
         asymmetric = learnt.category.symmetry is Symmetry.ASYMMETRIC
-        self._turn = learnt.orientation(orientation) if asymmetric else None
+        self._orientation = learnt.orientation(orientation) if asymmetric else None
 
     def score(self, situation: Situation) -> Scores:
         """The log scores of all poses of a situation."""
-        place = self._place.density.log_density(_features(self._place, situation))
-        if self._turn is None:
-            return Scores(place, np.zeros_like(place))
-        return Scores(place, self._turn.density.log_density(_features(self._turn, situation)))
+        position = self._position.density.log_density(_features(self._position, situation))
+        if self._orientation is None:
+            return Scores(position, np.zeros_like(position))
+        return Scores(
+            position, self._orientation.density.log_density(_features(self._orientation, situation))
+        )
 
     def shares(self, situation: Situation) -> tuple[Share, ...]:
         """The split of the scores of a few poses, one a prior; their sums are the totals."""
-        return tuple(_share(prior, situation) for prior in (self._place, self._turn) if prior)
+        return tuple(
+            _share(prior, situation) for prior in (self._position, self._orientation) if prior
+        )
 
 
 def _features(prior: Prior, situation: Situation) -> Floats:

@@ -21,6 +21,7 @@ from scenegen_core.placement.mounts import (
     mounts,
 )
 from scenegen_core.scene.geometry import (
+    Bools,
     Floats,
     Ints,
     Rectangles,
@@ -37,6 +38,10 @@ OVERHANG = 0.15  # metres that an object may stick out over what it stands on
 
 SURFACES: tuple[Surface, ...] = ("floor", "walls", "tops")
 """The heat map of each mount, in the order of Mount."""
+
+
+Poses = tuple[Floats, Floats, bool]
+"""Centers (n, 3), headings (n,), and whether they are pushed against a wall."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -62,30 +67,36 @@ class Proposals:
     candidates: Candidates
     mounts: Ints
     cells: Ints
+    flush: Bools
+    """Is the pose one that is pushed against a wall? (n,)"""
     grids: dict[Mount, Grid]
 
 
 def propose(around: Surroundings, category: Category, size: Vector3) -> Proposals:
     """All poses to try for an object: a grid, and flush along every wall."""
-    kinds = mounts(category.name, size)
-    grids = {mount: _grid(around, mount) for mount in kinds}
-    centers, headings, mount_of, cells = [], [], [], []
-    for mount in kinds:
-        for points, turns in _POSES[mount](around, category, size):
-            centers.append(points)
-            headings.append(turns)
-            mount_of.append(np.full(len(points), int(mount), dtype=np.int64))
-            flat = unrolled(around.walls, points) if mount is Mount.WALL else points[:, :2]
-            cells.append(grids[mount].index(flat))
-    candidates = Candidates(
-        category=category.name,
-        size=size,
-        centers=np.concatenate([np.empty((0, 3)), *centers]),
-        headings=np.concatenate([np.empty(0), *headings]),
+    grids = {mount: _grid(around, mount) for mount in mounts(category.name, size)}
+    parts = [(mount, *poses) for mount in grids for poses in _POSES[mount](around, category, size)]
+    flat = (
+        unrolled(around.walls, centers) if mount is Mount.WALL else centers[:, :2]
+        for mount, centers, _, _ in parts
     )
-    none = np.empty(0, dtype=np.int64)
+    lengths = [len(centers) for _, centers, _, _ in parts]
     return Proposals(
-        candidates, np.concatenate([none, *mount_of]), np.concatenate([none, *cells]), grids
+        candidates=Candidates(
+            category=category.name,
+            size=size,
+            centers=np.concatenate([np.empty((0, 3)), *(part[1] for part in parts)]),
+            headings=np.concatenate([np.empty(0), *(part[2] for part in parts)]),
+        ),
+        mounts=np.repeat([int(part[0]) for part in parts], lengths).astype(np.int64),
+        cells=np.concatenate(
+            [
+                np.empty(0, dtype=np.int64),
+                *(grids[part[0]].index(points) for part, points in zip(parts, flat, strict=True)),
+            ]
+        ),
+        flush=np.repeat([part[3] for part in parts], lengths).astype(np.bool_),
+        grids=grids,
     )
 
 
@@ -123,23 +134,21 @@ def _grid(around: Surroundings, mount: Mount) -> Grid:
     return Grid((float(low[0]), float(low[1])), (int(rows), int(columns)))
 
 
-def _floor_poses(
-    around: Surroundings, category: Category, size: Vector3
-) -> Iterator[tuple[Floats, Floats]]:
+def _floor_poses(around: Surroundings, category: Category, size: Vector3) -> Iterator[Poses]:
     """The grid inside the room with its headings, then flush along every wall."""
     points = floor_points(around)
     if category.symmetry is Symmetry.INSIDE_FACING:
         nearest = distances_to_segments(points, around.walls).argmin(axis=1)
-        yield _raised(points, size[2] / 2), inward(around.walls)[nearest]
+        yield _raised(points, size[2] / 2), inward(around.walls)[nearest], False
     else:
         turns = _headings(around, category, size)
         repeated = np.repeat(points, len(turns), axis=0)
-        yield _raised(repeated, size[2] / 2), np.tile(turns, len(points))
+        yield _raised(repeated, size[2] / 2), np.tile(turns, len(points)), False
     quarter = category.symmetry is Symmetry.SYMMETRIC and size[0] != size[1]
     for turn, depth, width in ((0.0, size[0], size[1]), (pi / 2, size[1], size[0])):
         if turn == 0 or quarter:
             flush, facing = _along_walls(around.walls, depth / 2 + WALL_GAP, width / 2 + WALL_GAP)
-            yield _raised(flush, size[2] / 2), facing + turn
+            yield _raised(flush, size[2] / 2), facing + turn, True
 
 
 def floor_points(around: Surroundings) -> Floats:
@@ -176,20 +185,16 @@ def _along_walls(walls: Floats, off: float, margin: float) -> tuple[Floats, Floa
     return np.concatenate(points), np.concatenate(headings)
 
 
-def _wall_poses(
-    around: Surroundings, category: Category, size: Vector3
-) -> Iterator[tuple[Floats, Floats]]:
+def _wall_poses(around: Surroundings, category: Category, size: Vector3) -> Iterator[Poses]:
     """Hanging on every wall, the usual height first."""
     points, headings = _along_walls(around.walls, size[0] / 2, size[1] / 2)
     usual = HANGING_HEIGHT.get(category.name, HANGING_HEIGHT["Picture"])
     steps = np.arange(0, HANGING_RANGE + CELL / 2, CELL)
     for shift in sorted({*steps.round(3), *(-steps).round(3)}, key=abs):
-        yield _raised(points, usual + float(shift)), headings
+        yield _raised(points, usual + float(shift)), headings, True
 
 
-def _top_poses(
-    around: Surroundings, category: Category, size: Vector3
-) -> Iterator[tuple[Floats, Floats]]:
+def _top_poses(around: Surroundings, category: Category, size: Vector3) -> Iterator[Poses]:
     """On top of each box that carries such things, facing along its axes."""
     turns = np.arange(4) * (pi / 2) if category.symmetry is Symmetry.ASYMMETRIC else np.zeros(1)
     for index, box in enumerate(around.scene.boxes):
@@ -204,7 +209,7 @@ def _top_poses(
         facing = np.tile(headings, len(points))
         half = np.broadcast_to(np.array(size[:2]) / 2, (len(poses), 2))
         stands = stands_on(Rectangles(repeated, half, facing), shape)[:, 0]
-        yield poses[stands], facing[stands]
+        yield poses[stands], facing[stands], False
 
 
 def stands_on(

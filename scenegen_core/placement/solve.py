@@ -24,7 +24,7 @@ from scenegen_core.placement.answer import (
 from scenegen_core.placement.explain import Explainer
 from scenegen_core.placement.feasible import ALLOWED, RULES, Space, verdicts
 from scenegen_core.placement.heat_map import heat_maps, likelihood, scale
-from scenegen_core.placement.paper_model import PaperModel, Scores
+from scenegen_core.placement.paper_model import PaperModel
 from scenegen_core.placement.proposals import Proposals, propose
 from scenegen_core.placement.refusals import no_good_place, refusal
 from scenegen_core.placement.walking import Walking
@@ -58,8 +58,7 @@ class Solution:
             rule = RULES[verdict] if closed is None else "path"
             text = refusal(rule, situation, closed)
             return Inspection(False, rule, None, None, text, ())
-        place = self._model.score(situation).place
-        shown = float(likelihood(place, self._bounds)[0])
+        shown = float(likelihood(self._model.score(situation).total, self._bounds)[0])
         text = sentence(situation, self._learnt.category)
         if self._explainer is None:
             return Inspection(True, "", None, shown, text, ())
@@ -97,15 +96,15 @@ def solve(
     possible = np.flatnonzero(verdict == ALLOWED)
     scores = _scores(model, proposals, possible, around)
     keep_going()
-    bounds = scale(scores.place[possible])
+    bounds = scale(scores[possible])
     rng = np.random.default_rng(query.seed)
     choice = choose(proposals, scores, walking, count=query.count, rng=rng, keep_going=keep_going)
     explainer = Explainer(model, around, proposals.candidates[possible]) if len(possible) else None
     answer = Answer(
         category=query.category,
         size=size,
-        poses=_poses(proposals, choice, scores.place, bounds, around, explainer, learnt),
-        heat_maps=heat_maps(proposals, scores.place, bounds),
+        poses=_poses(proposals, choice, scores, bounds, around, explainer, learnt),
+        heat_maps=heat_maps(proposals, scores, bounds),
         no_good_place=_no_good_place(verdict, choice, query, size),
     )
     return Solution(answer, around, space, walking, model, explainer, bounds, learnt)
@@ -123,20 +122,18 @@ def _size(query: Query, learnt: CategoryKnowledge) -> Vector3:
 
 def _scores(
     model: PaperModel, proposals: Proposals, possible: Ints, around: Surroundings
-) -> Scores:
-    """Scores of all proposals, −inf where nobody can stand."""
-    place = np.full(len(proposals.candidates), -np.inf)
-    turn = np.full(len(proposals.candidates), -np.inf)
+) -> Floats:
+    """The log scores of all proposals, −inf where nobody can stand: (n,)."""
+    scores = np.full(len(proposals.candidates), -np.inf)
     if len(possible):
-        found = model.score(Situation(proposals.candidates[possible], around))
-        place[possible], turn[possible] = found.place, found.turn
-    return Scores(place, turn)
+        scores[possible] = model.score(Situation(proposals.candidates[possible], around)).total
+    return scores
 
 
 def _poses(
     proposals: Proposals,
     choice: Choice,
-    place: Floats,
+    scores: Floats,
     bounds: tuple[float, float],
     around: Surroundings,
     explainer: Explainer | None,
@@ -145,7 +142,7 @@ def _poses(
     if explainer is None:
         return ()
     poses = []
-    shown = likelihood(place[choice.poses], bounds)
+    shown = likelihood(scores[choice.poses], bounds)
     for rank, (index, value) in enumerate(zip(choice.poses, shown, strict=True), start=1):
         single = proposals.candidates[index : index + 1]
         why = explainer.explain(single)
