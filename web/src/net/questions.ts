@@ -1,0 +1,91 @@
+/**
+ * What the server is asked, as a pure value: the object that is being placed, the pose that its
+ * ghost was dragged to (one at a time, the newest wins), and whether the graph is watched.
+ */
+import type { Placing, Pose, State } from "../model/state";
+import type { Answer, Ask, Inspect, Query, WatchGraph } from "./protocol.gen";
+
+export type Question = Ask | Inspect | WatchGraph;
+
+/** Alternatives that are asked for. */
+const COUNT = 5;
+
+export interface Questions {
+  /** The ask in force; null when nothing is being placed. */
+  readonly ask: string | null;
+  /** The pose that was inspected last, and the answer that it was compared with. */
+  readonly pose: Pose | null;
+  readonly against: Answer | null;
+  /** The inspection that is on its way. */
+  readonly inspecting: string | null;
+  readonly watching: boolean;
+  readonly nextInspection: number;
+}
+
+/** Nothing is asked: so it is on a new socket. */
+export const NO_QUESTIONS: Questions = {
+  ask: null,
+  pose: null,
+  against: null,
+  inspecting: null,
+  watching: false,
+  nextInspection: 1,
+};
+
+export interface Asked {
+  readonly questions: Questions;
+  readonly messages: readonly Question[];
+}
+
+/** What to ask now that the state is this. */
+export function askedOf(questions: Questions, state: State): Asked {
+  const { placing, shown } = state;
+  const messages: Question[] = [];
+  let next = questions;
+  if ((placing?.ask ?? null) !== next.ask) {
+    messages.push(askFor(placing, next.ask));
+    next = { ...next, ask: placing?.ask ?? null, pose: null, against: null, inspecting: null };
+  }
+  if (placing !== null && isToInspect(next, placing)) {
+    const { pose, answer } = placing;
+    const id = `inspect-${next.nextInspection}`;
+    messages.push({ type: "inspect", id, center: pose.center, heading: pose.heading });
+    const nextInspection = next.nextInspection + 1;
+    next = { ...next, pose, against: answer, inspecting: id, nextInspection };
+  }
+  if (shown.graph !== next.watching) {
+    messages.push({ type: "watch_graph", on: shown.graph });
+    next = { ...next, watching: shown.graph };
+  }
+  return { questions: next, messages };
+}
+
+/** That inspection is answered: the next pose may be asked about. */
+export function inspectionDone(questions: Questions, id: string): Questions {
+  return questions.inspecting === id ? { ...questions, inspecting: null } : questions;
+}
+
+/**
+ * By hand, nothing is told of the place; else what the person has dragged is judged. A newer answer
+ * makes an inspection that is on its way worthless, so it is not waited for.
+ */
+function isToInspect(
+  questions: Questions,
+  placing: Placing,
+): placing is Placing & { readonly pose: Pose } {
+  const dragged = placing.mode === "scenegen" && placing.alternative === null;
+  if (!dragged || placing.pose === null) return false;
+  if (placing.answer !== questions.against) return true;
+  return questions.inspecting === null && placing.pose !== questions.pose;
+}
+
+function askFor(placing: Placing | null, last: string | null): Ask {
+  if (placing === null) return { type: "ask", id: last ?? "none", query: null };
+  return { type: "ask", id: placing.ask, query: queryOf(placing) };
+}
+
+/** The question of an object on its way. */
+export function queryOf(placing: Placing): Query {
+  const { category, wishedSize, item } = placing;
+  return { category, size: wishedSize, item, model: "paper", count: COUNT };
+}
