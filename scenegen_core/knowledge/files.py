@@ -24,6 +24,11 @@ VERSION: Literal[1] = 1
 ARRAYS = ("rows", "rooms", "front_known", "sizes", "bottoms")
 """The arrays of a category; ``rooms`` holds indices into the header's rooms."""
 
+BROKEN = (
+    ValueError, TypeError, KeyError, IndexError, EOFError, zipfile.BadZipFile, zlib.error,
+)  # fmt: skip
+"""What NumPy and msgspec raise when a file is not what it should be."""
+
 LEARN_AGAIN = "learn it again with: scenegen learn ROOMS --out knowledge.npz"
 
 
@@ -94,7 +99,7 @@ def _read(file: IO[bytes], name: str) -> Knowledge:
         with archive:
             header = _header(archive["header"].tobytes(), name)
             parts = [_category(archive, header, i) for i in range(len(header.categories))]
-    except (ValueError, KeyError, IndexError, EOFError, zipfile.BadZipFile, zlib.error) as error:
+    except BROKEN as error:
         raise KnowledgeError(f"The knowledge file {name} is broken; {LEARN_AGAIN}.") from error
     return Knowledge(
         groups=header.groups,
@@ -122,7 +127,8 @@ def _header(text: bytes, name: str) -> _Header:
 
 
 def _category(archive: NpzFile, header: _Header, number: int) -> CategoryKnowledge:
-    """One category; ValueError or IndexError if its arrays do not fit together."""
+    """One category; one of BROKEN if its arrays do not fit together."""
+    group = {group.name: group for group in header.groups}[header.categories[number]]
     arrays = {name: archive[f"{number}.{name}"] for name in ARRAYS}
     shapes = {name: array.shape for name, array in arrays.items()}
     examples = len(arrays["rooms"])
@@ -135,7 +141,6 @@ def _category(archive: NpzFile, header: _Header, number: int) -> CategoryKnowled
     }
     if shapes != expected or not all(np.isfinite(array).all() for array in arrays.values()):
         raise ValueError(shapes)
-    group = next(group for group in header.groups if group.name == header.categories[number])
     return CategoryKnowledge(
         category=group,
         columns=header.columns,

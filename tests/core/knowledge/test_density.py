@@ -20,7 +20,9 @@ REPRESENTABLE = 1e-290  # statsmodels' products lose digits below that
 
 @st.composite
 def examples_and_queries(draw: st.DrawFn) -> tuple[Floats, Floats, list[Kind]]:
-    kinds: list[Kind] = draw(st.lists(st.sampled_from(["continuous", "ordered"]), min_size=1, max_size=5))
+    kinds: list[Kind] = draw(
+        st.lists(st.sampled_from(["continuous", "ordered"]), min_size=1, max_size=5)
+    )
     n = draw(st.integers(len(kinds) + 1, 25))
     distances = st.floats(0, 8, allow_nan=False).map(lambda x: round(x, 3))
     counts = st.integers(0, 6).map(float)
