@@ -1,0 +1,59 @@
+/** One plain sentence saying what to do next. */
+import type { Draft, State } from "../model/state";
+
+/** The sentence for the state; null when nothing needs saying. */
+export function hint(state: State): string | null {
+  if (state.placing !== null) {
+    if (state.placing.pose === null) return null;
+    return "Drag it anywhere, or place it here.";
+  }
+  if (state.draft !== null) return draftHint(state.draft);
+  switch (state.tool) {
+    case "room":
+      return "Click where the first corner is.";
+    case "box":
+      return hasRoom(state)
+        ? "Drag on the floor to draw what stands there."
+        : "Draw the room first, then what stands in it.";
+    case "door":
+      return "Drag along a wall where the door is.";
+    case "window":
+      return "Drag along a wall where the window is.";
+    case "select":
+      return selectHint(state);
+  }
+}
+
+/** Whether there is an outline to put things in. */
+export function hasRoom(state: State): boolean {
+  return state.scene.room.corners.length >= 3;
+}
+
+function draftHint(draft: Draft): string {
+  switch (draft.kind) {
+    case "room":
+      if (draft.corners.length === 0) return "Click where the first corner is.";
+      if (draft.corners.length < 3) return "Click the next corner, or type how long the wall is.";
+      return "Click the next corner, or the first one to close the room.";
+    case "box-floor":
+      return "Let go when it covers the floor it stands on.";
+    case "box-height":
+      return "Pull up to its height, then click. Or type the height.";
+    case "opening":
+      return `Let go where the ${draft.opening} ends.`;
+  }
+}
+
+function selectHint(state: State): string | null {
+  switch (state.selection?.kind) {
+    case "box":
+      return "Drag to move it; drag the ring to turn it.";
+    case "door":
+    case "window":
+      return "Drag it along the wall, or type where it is.";
+    case "corner":
+      return "Drag the corner, or type how long its walls are.";
+    case undefined:
+      return null;
+  }
+}

@@ -1,0 +1,98 @@
+/** What is shown over the room: the map, its legend, the graph, the names. */
+import { html, nothing, type TemplateResult } from "lit";
+import type { HeatMap, Layer, State } from "../model/state";
+import { button } from "./controls";
+import type { IconName } from "./icons";
+import type { Page } from "./page";
+import { likelihoodInWords, relationInWords, signed } from "./words";
+
+const LAYERS: readonly { layer: Layer; icon: IconName; label: string; keys: string }[] = [
+  { layer: "heat", icon: "heat", label: "Likely places", keys: "H" },
+  { layer: "graph", icon: "graph", label: "Relations", keys: "G" },
+  { layer: "labels", icon: "labels", label: "Names", keys: "L" },
+];
+
+export function layersPanel(page: Page): TemplateResult {
+  return html`<section class="part layers" aria-label="What is shown">
+    ${toggles(page)} ${legend(page)} ${relations(page)}
+  </section>`;
+}
+
+function toggles({ state, dispatch }: Page): TemplateResult {
+  return html`<div class="row" role="group" aria-label="Show">
+    ${LAYERS.map(({ layer, icon, label, keys }) =>
+      button({
+        icon,
+        label,
+        keys,
+        pressed: state.shown[layer],
+        run: () => dispatch({ type: "toggle-layer", layer }),
+      }),
+    )}
+  </div>`;
+}
+
+/** The colors of the map in words, and how strongly they cover the floor. */
+function legend({ state, dispatch }: Page): TemplateResult | typeof nothing {
+  const map = state.placing?.heatMaps[0];
+  if (map === undefined || !state.shown.heat) return nothing;
+  return html`<div class="legend">
+    <div class="scale" aria-hidden="true"></div>
+    <p class="ends"><span>unlikely</span><span>likely</span></p>
+    ${numbers(map)} ${probe(state)}
+    <label class="slider"
+      ><span>Strength of the colors</span
+      ><input
+        type="range"
+        min="0.1"
+        max="1"
+        step="0.05"
+        .value=${String(state.shown.heatOpacity)}
+        @input=${(event: Event) =>
+          dispatch({
+            type: "set-heat-opacity",
+            opacity: Number((event.target as HTMLInputElement).value),
+          })}
+    /></label>
+  </div>`;
+}
+
+function numbers(map: HeatMap): TemplateResult {
+  return html`<details class="more">
+    <summary>Numbers</summary>
+    <p class="ends"><span class="number">${signed(map.min)}</span><span class="number">${signed(map.max)}</span></p>
+    <p class="quiet">
+      How much more likely than an average spot of this room, as a logarithm: +0.69 is twice as
+      likely.
+    </p>
+  </details>`;
+}
+
+function probe({ probe }: State): TemplateResult | typeof nothing {
+  if (probe === null) return nothing;
+  const { likelihood } = probe;
+  const words = likelihood === null ? "it cannot stand here" : likelihoodInWords(likelihood);
+  const share = likelihood === null ? nothing : ` (${Math.round(likelihood * 100)} of 100)`;
+  return html`<p class="probe">Under the pointer: <b>${words}</b>${share}</p>`;
+}
+
+/** One switch for each kind of relation in the graph, with a piece of its line. */
+function relations({ state, dispatch }: Page): TemplateResult | typeof nothing {
+  if (!state.shown.graph) return nothing;
+  const kinds = [...new Set(state.graph?.edges.map(({ relation }) => relation) ?? [])];
+  if (kinds.length === 0) {
+    return html`<p class="quiet">Relations appear when there are two things in the room.</p>`;
+  }
+  return html`<div class="relations" role="group" aria-label="Relations shown">
+    ${kinds.map(
+      (relation) => html`<label class="check"
+        ><input
+          type="checkbox"
+          .checked=${!state.shown.hiddenRelations.includes(relation)}
+          @change=${() => dispatch({ type: "toggle-relation", relation })}
+        /><svg class="line" data-relation=${relation} viewBox="0 0 32 8" aria-hidden="true"><path d="M1 4h30" /></svg
+        ><span>${relationInWords(relation)}</span></label
+      >`,
+    )}
+  </div>`;
+}

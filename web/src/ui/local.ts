@@ -1,0 +1,55 @@
+/** How what only the panels know follows the state. */
+import type { State } from "../model/state";
+import type { Guide, LastPlaced, Local } from "./page";
+import { verdictOf } from "./reasons";
+
+/** The local value after the state has gone from one to the next. */
+export function follow(local: Local, before: State, after: State): Local {
+  const placed = lastPlaced(before, after);
+  const guide = guideAfter(local.guide, before, after, placed !== null);
+  const forgotten = after.placing !== null || after.past.length < before.past.length;
+  return {
+    ...local,
+    guide,
+    placed: placed ?? (forgotten ? null : local.placed),
+    crosshair: after.tool === before.tool ? local.crosshair : null,
+    mode: after.placing?.mode ?? local.mode,
+    sheet: needsRoom(before, after) && local.sheet === "full" ? "half" : local.sheet,
+  };
+}
+
+/** The object that this step made solid. */
+function lastPlaced(before: State, after: State): LastPlaced | null {
+  const { placing } = before;
+  if (placing === null || after.placing !== null) return null;
+  if (after.scene.boxes.length <= before.scene.boxes.length) return null;
+  return {
+    category: placing.category,
+    item: placing.item,
+    size: placing.wishedSize,
+    mode: placing.mode,
+    sentence: verdictOf(placing)?.sentence ?? "",
+  };
+}
+
+/** The invitation ends when the person finds a way of their own. */
+function guideAfter(guide: Guide, before: State, after: State, placed: boolean): Guide {
+  switch (guide) {
+    case "invite":
+      return after.tool !== "select" || after.placing !== null || after.past.length > 0
+        ? "done"
+        : "invite";
+    case "placing":
+      if (placed) return "doors";
+      return before.placing !== null && after.placing === null ? "done" : "placing";
+    case "doors":
+      return after.tool !== "select" || after.placing !== null ? "done" : "doors";
+    case "done":
+      return "done";
+  }
+}
+
+/** The full sheet would hide where things happen. */
+function needsRoom(before: State, after: State): boolean {
+  return before.tool !== after.tool || (before.placing === null && after.placing !== null);
+}

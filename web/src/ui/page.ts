@@ -1,0 +1,48 @@
+/** What a panel is given: the state, how to change it, and what only the panels need to know. */
+import type { Services } from "../contract";
+import type { Action, Mode, Point, State, Vector3 } from "../model/state";
+import type { SceneRecord } from "../net/protocol.gen";
+
+export type SheetHeight = "peek" | "half" | "full";
+
+/** The first minute: the invitation, the first sofa on its way, the three doors, done. */
+export type Guide = "invite" | "placing" | "doors" | "done";
+
+/** What was placed last, to place another or to take it back. */
+export interface LastPlaced {
+  readonly category: string;
+  readonly item: string | null;
+  readonly size: Vector3 | null;
+  readonly mode: Mode;
+  readonly sentence: string;
+}
+
+/** What the panels know beyond the state. */
+export interface Local {
+  readonly sheet: SheetHeight;
+  /** How the next object is placed. */
+  readonly mode: Mode;
+  readonly guide: Guide;
+  readonly placed: LastPlaced | null;
+  /** The rooms of the menu that have been fetched for their plans, by id. */
+  readonly plans: Readonly<Record<string, SceneRecord>>;
+  /** Where the keyboard draws, core frame, metres. */
+  readonly crosshair: Point | null;
+}
+
+export const INITIAL_LOCAL: Local = {
+  sheet: "peek",
+  mode: "scenegen",
+  guide: "invite",
+  placed: null,
+  plans: {},
+  crosshair: null,
+};
+
+export interface Page {
+  readonly state: State;
+  readonly local: Local;
+  readonly services: Services;
+  dispatch(action: Action): void;
+  change(local: Partial<Local>): void;
+}

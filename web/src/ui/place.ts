@@ -1,0 +1,210 @@
+/** Choosing what to place, and where: category, item, size, mode, the places on offer. */
+import { html, nothing, type TemplateResult } from "lit";
+import { usualSize } from "../model/labels";
+import type { Mode, Placing, Vector3 } from "../model/state";
+import { formatSize } from "../model/units";
+import { chips, placeable } from "./categories";
+import { button, lengthField, section } from "./controls";
+import type { Page } from "./page";
+import { inSentence, likelihoodInWords } from "./words";
+
+const SIZE_STEP = 0.05; // metres
+const SIDES = ["Depth", "Width", "Height"] as const;
+
+export function placePanel(page: Page): TemplateResult {
+  const { state } = page;
+  const { placing } = state;
+  const title = placing === null ? "Place something" : `Place a ${inSentence(placing.category)}`;
+  return section(
+    title,
+    html`
+      ${chips(
+        "What to place",
+        placeable(state.lists.categories),
+        placing?.category ?? null,
+        (name) => start(page, name, null, null),
+      )}
+      ${modeSwitch(page)}
+      ${placing === null ? after(page) : html`${places(page, placing)} ${decide(page, placing)} ${items(page, placing)} ${size(page, placing)}`}
+    `,
+    "place",
+  );
+}
+
+/** Puts an object on its way into the room, where the view is looking. */
+export function start(
+  { local, services, dispatch, change }: Page,
+  category: string,
+  item: string | null,
+  size: Vector3 | null,
+  mode: Mode = local.mode,
+): void {
+  change({ placed: null, mode });
+  dispatch({ type: "place", category, item, size, mode, view: services.viewPoint() });
+}
+
+function modeSwitch({ state, local, services, dispatch, change }: Page): TemplateResult {
+  const now = state.placing?.mode ?? local.mode;
+  const choose = (mode: Mode): void => {
+    change({ mode });
+    if (state.placing !== null) dispatch({ type: "set-mode", mode, view: services.viewPoint() });
+  };
+  const option = (mode: Mode, name: string, words: string): TemplateResult =>
+    html`<label class="option"
+      ><input
+        type="radio"
+        name="mode"
+        .checked=${now === mode}
+        @change=${() => choose(mode)}
+      /><span><b>${name}</b><small>${words}</small></span></label
+    >`;
+  return html`<fieldset class="switch">
+    <legend>Who finds the place?</legend>
+    ${option("scenegen", "SceneGen", "finds good places")} ${option("manual", "Manual", "you put it")}
+  </fieldset>`;
+}
+
+/** What can be done right after something was placed. */
+function after(page: Page): TemplateResult {
+  const { placed } = page.local;
+  if (placed === null) return html`<p class="quiet">Pick what should go into the room.</p>`;
+  const name = inSentence(placed.category);
+  return html`<div class="placed">
+    <p>The ${name} stands. ${placed.sentence}</p>
+    <div class="row">
+      ${button(
+        {
+          icon: "again",
+          label: `Place another ${name}`,
+          run: () => start(page, placed.category, placed.item, placed.size, placed.mode),
+        },
+        "primary",
+      )}
+      ${button({
+        icon: "undo",
+        label: "Undo",
+        keys: "Ctrl Z",
+        run: () => {
+          page.change({ placed: null });
+          page.dispatch({ type: "undo" });
+        },
+      })}
+    </div>
+  </div>`;
+}
+
+function items(page: Page, placing: Placing): TemplateResult | typeof nothing {
+  const offered = page.state.lists.catalogue.filter((item) => item.category === placing.category);
+  if (offered.length === 0) return nothing;
+  const pick = (id: string | null): void => start(page, placing.category, id, null, placing.mode);
+  const choice = (id: string | null, name: string, size: Vector3 | null): TemplateResult =>
+    html`<button
+      type="button"
+      class="item"
+      aria-pressed=${placing.item === id}
+      @click=${() => pick(id)}
+    >
+      <b>${name}</b><small>${size === null ? "simple shape" : formatSize(size)}</small>
+    </button>`;
+  return html`<div class="items" role="group" aria-label="Which one">
+    ${choice(null, `Any ${inSentence(placing.category)}`, null)}
+    ${offered.map((item) => choice(item.id, item.name, item.size))}
+  </div>`;
+}
+
+function size({ state, dispatch }: Page, placing: Placing): TemplateResult {
+  const change = (side: number, length: number): void => {
+    const size = placing.size.map((old, i) => (i === side ? length : old)) as unknown as Vector3;
+    dispatch({ type: "set-size", size });
+  };
+  const usual = usualSize(placing.category, state.lists.categories);
+  const isUsual = placing.size.every((length, i) => Math.abs(length - (usual[i] ?? 0)) < 0.005);
+  return html`<div class="size">
+    <div class="fields" role="group" aria-label="Size">
+      ${SIDES.map((label, side) =>
+        lengthField({
+          id: `place-${label.toLowerCase()}`,
+          label,
+          unit: "cm",
+          value: placing.size[side] as number,
+          step: SIZE_STEP,
+          change: (length) => change(side, length),
+        }),
+      )}
+    </div>
+    ${
+      placing.wishedSize === null || isUsual
+        ? nothing
+        : html`<button type="button" class="link" @click=${() => dispatch({ type: "set-size", size: null })}>
+            Use the usual size
+          </button>`
+    }
+  </div>`;
+}
+
+function places(page: Page, placing: Placing): TemplateResult {
+  if (placing.mode === "manual") {
+    return html`<p class="quiet">Drag it to where you want it. Turn it with the ring, or with [ and ].</p>`;
+  }
+  const { answer, computing } = placing;
+  if (answer === null) return waiting(page);
+  if (answer.no_good_place !== null && answer.placements.length === 0) {
+    return html`<div class="no-place">
+      ${noPlacePicture()}
+      <p><b>No good place.</b> ${answer.no_good_place.text}</p>
+      <p class="quiet">Try a smaller size, move something, or put it there yourself.</p>
+    </div>`;
+  }
+  return html`<ol class="places" aria-label="Good places" aria-busy=${computing}>
+    ${answer.placements.map(
+      (placement, i) => html`<li>
+        <button
+          type="button"
+          class="place-choice"
+          aria-pressed=${placing.alternative === placement.rank}
+          @click=${() => page.dispatch({ type: "show-alternative", rank: placement.rank })}
+        >
+          <kbd>${i + 1}</kbd><span>${placement.sentence}<small>${likelihoodInWords(placement.likelihood)}</small></span>
+        </button>
+      </li>`,
+    )}
+  </ol>`;
+}
+
+function waiting({ state }: Page): TemplateResult {
+  if (state.connection.status === "offline") {
+    return html`<p class="quiet">Good places come when the connection is back. Until then, put it yourself: choose Manual.</p>`;
+  }
+  return html`<div class="places" aria-busy="true">
+    <p class="quiet">Looking for good places…</p>
+    <div class="shimmer"></div>
+    <div class="shimmer"></div>
+    <div class="shimmer"></div>
+  </div>`;
+}
+
+function decide({ dispatch }: Page, placing: Placing): TemplateResult {
+  const allowed = placing.alternative !== null || placing.inspected?.allowed !== false;
+  return html`<div class="row decide">
+    ${button(
+      {
+        icon: "check",
+        label: "Place it",
+        keys: "Enter",
+        disabled: placing.pose === null || !allowed,
+        run: () => dispatch({ type: "confirm" }),
+      },
+      "primary",
+    )}
+    ${button({ icon: "close", label: "Cancel", keys: "Esc", run: () => dispatch({ type: "cancel" }) })}
+  </div>`;
+}
+
+function noPlacePicture(): TemplateResult {
+  return html`<svg class="picture" viewBox="0 0 96 56" aria-hidden="true">
+    <path class="wall" d="M6 6h84v44H6z" />
+    <path class="thing" d="M10 10h34v16H10zM50 10h36v12H50zM10 32h22v14H10zM66 28h20v18H66z" />
+    <path class="ghost" d="M38 30h24v14H38z" />
+    <path class="cross" d="M44 32l12 10M56 32L44 42" />
+  </svg>`;
+}

@@ -1,0 +1,103 @@
+/** "Why here": the sentence, and what each relation adds or takes away. */
+import { html, nothing, type TemplateResult } from "lit";
+import type { Placing } from "../model/state";
+import type { Reason } from "../net/protocol.gen";
+import { section } from "./controls";
+import type { Page } from "./page";
+import { counted, reasonInWords, signed } from "./words";
+
+/** Bars shown at once; the rest waits behind a click. */
+const SHOWN = 4;
+
+/** What is said of where the ghost stands now. */
+interface Verdict {
+  readonly title: string;
+  readonly sentence: string;
+  readonly score: number | null;
+  readonly reasons: readonly Reason[];
+  readonly rooms: readonly string[];
+}
+
+export function reasonsPanel({ state }: Page): TemplateResult | typeof nothing {
+  const verdict = state.placing === null ? null : verdictOf(state.placing);
+  if (verdict === null) return nothing;
+  return section(
+    verdict.title,
+    html`
+      <p class="why">${verdict.sentence}</p>
+      ${bars(verdict.reasons)} ${total(verdict)} ${rooms(verdict.rooms)}
+    `,
+    "reasons",
+  );
+}
+
+/** The chosen alternative's reasons, or those of the pose the ghost was dragged to. */
+export function verdictOf(placing: Placing): Verdict | null {
+  const chosen = placing.answer?.placements.find(({ rank }) => rank === placing.alternative);
+  if (chosen !== undefined) return { title: "Why here", ...chosen };
+  const { inspected } = placing;
+  if (inspected === null) return null;
+  const title = inspected.allowed ? "Why here" : "Why not here";
+  return { title, ...inspected, rooms: [] };
+}
+
+/** Strongest first, whether they speak for or against. */
+export function byStrength(reasons: readonly Reason[]): readonly Reason[] {
+  return reasons.toSorted((a, b) => Math.abs(b.contribution) - Math.abs(a.contribution));
+}
+
+function bars(reasons: readonly Reason[]): TemplateResult | typeof nothing {
+  if (reasons.length === 0) return nothing;
+  const sorted = byStrength(reasons);
+  const longest = Math.abs(sorted[0]?.contribution ?? 0) || 1;
+  const list = (some: readonly Reason[]): TemplateResult =>
+    html`<ul class="bars">${some.map((reason) => bar(reason, longest))}</ul>`;
+  const rest = sorted.slice(SHOWN);
+  return html`
+    <p class="ends" aria-hidden="true"><span>against</span><span>for</span></p>
+    ${list(sorted.slice(0, SHOWN))}
+    ${
+      rest.length === 0
+        ? nothing
+        : html`<details class="more">
+            <summary>Show all ${sorted.length}</summary>
+            ${list(rest)}
+          </details>`
+    }
+  `;
+}
+
+function bar(reason: Reason, longest: number): TemplateResult {
+  const { contribution } = reason;
+  const length = (Math.abs(contribution) / longest) * 50;
+  const start = contribution < 0 ? 50 - length : 50;
+  return html`<li>
+    <span class="words">${reason.text}<small>${reasonInWords(reason)}</small></span>
+    <svg class="measure" viewBox="0 0 100 8" preserveAspectRatio="none" aria-hidden="true">
+      <path class="axis" d="M50 0v8" />
+      <rect
+        class=${contribution < 0 ? "against" : "for"}
+        x=${start}
+        y="1"
+        width=${Math.max(length, 0.5)}
+        height="6"
+      />
+    </svg>
+    <span class="number">${signed(contribution)}</span>
+  </li>`;
+}
+
+function total({ score }: Verdict): TemplateResult | typeof nothing {
+  if (score === null) return nothing;
+  return html`<p class="total">
+    <span>All together, against an average spot</span><span class="number">${signed(score)}</span>
+  </p>`;
+}
+
+function rooms(names: readonly string[]): TemplateResult | typeof nothing {
+  if (names.length === 0) return nothing;
+  return html`<details class="more">
+    <summary>${counted(names.length, "known room")} that speak for it</summary>
+    <ul class="names">${names.map((name) => html`<li>${name}</li>`)}</ul>
+  </details>`;
+}

@@ -1,0 +1,246 @@
+/** What is selected, and its numbers to type. */
+import { html, nothing, type TemplateResult } from "lit";
+import { likelyCategories } from "../model/labels";
+import type { Point, Vector3 } from "../model/state";
+import { formatAngle } from "../model/units";
+import { wallsOf, withWallLength } from "../model/walls";
+import type { BoxRecord, OpeningRecord } from "../net/protocol.gen";
+import { chips } from "./categories";
+import { button, lengthField, section } from "./controls";
+import { spanOf, withSpan } from "./exact";
+import type { Page } from "./page";
+import { wallName } from "./whereabouts";
+
+const STEP = 0.05; // metres
+const TURN = Math.PI / 12; // 15°
+const FAR = { min: -1000, max: 1000 }; // metres; the reach of the wire
+const HEIGHTS = { min: 0, max: 10 }; // metres
+const SIDES = ["Depth", "Width", "Height"] as const;
+
+export function selectionPanel(page: Page): TemplateResult | typeof nothing {
+  const { scene, selection } = page.state;
+  switch (selection?.kind) {
+    case "box": {
+      const box = scene.boxes.find(({ id }) => id === selection.id);
+      return box === undefined ? nothing : boxPanel(page, box);
+    }
+    case "door":
+    case "window": {
+      const openings = selection.kind === "door" ? scene.room.doors : scene.room.windows;
+      const opening = openings.find(({ id }) => id === selection.id);
+      return opening === undefined ? nothing : openingPanel(page, selection.kind, opening);
+    }
+    case "corner":
+      return cornerPanel(page, selection.index);
+    case undefined:
+      return nothing;
+  }
+}
+
+function boxPanel(page: Page, box: BoxRecord): TemplateResult {
+  const { state, dispatch } = page;
+  const edit = (change: Partial<BoxRecord>): void =>
+    dispatch({ type: "edit-box", box: { ...box, ...change }, done: true });
+  return section(
+    box.label || box.category,
+    html`
+      <p class="question">What is it?</p>
+      ${chips(
+        "What is it?",
+        likelyCategories(box.size, state.lists.categories),
+        box.category,
+        (category) => edit({ category }),
+      )}
+      ${sizeFields(box, edit)} ${positionFields(box, westSouth(state.scene.room.corners), edit)}
+      ${boxCommands(page, box)}
+    `,
+    "selection",
+  );
+}
+
+/** Another height keeps the underside where it is. */
+function sizeFields(box: BoxRecord, edit: (change: Partial<BoxRecord>) => void): TemplateResult {
+  return html`<div class="fields" role="group" aria-label="Size">
+    ${SIDES.map((label, side) =>
+      lengthField({
+        id: `box-${label.toLowerCase()}`,
+        label,
+        unit: "cm",
+        value: box.size[side] as number,
+        step: STEP,
+        change: (length) => {
+          const size = replaced(box.size, side, length);
+          const [x, y, z] = box.center;
+          edit({ size, center: side === 2 ? [x, y, z + (length - box.size[2]) / 2] : [x, y, z] });
+        },
+      }),
+    )}
+  </div>`;
+}
+
+function positionFields(
+  box: BoxRecord,
+  corner: Point,
+  edit: (change: Partial<BoxRecord>) => void,
+): TemplateResult {
+  const [x, y, z] = box.center;
+  const bottom = z - box.size[2] / 2;
+  return html`<div class="fields" role="group" aria-label="Where its middle is">
+    ${lengthField({
+      id: "box-west",
+      label: "From west",
+      unit: "m",
+      value: x - corner[0],
+      limits: FAR,
+      step: STEP,
+      change: (length) => edit({ center: [corner[0] + length, y, z] }),
+    })}
+    ${lengthField({
+      id: "box-south",
+      label: "From south",
+      unit: "m",
+      value: y - corner[1],
+      limits: FAR,
+      step: STEP,
+      change: (length) => edit({ center: [x, corner[1] + length, z] }),
+    })}
+    ${lengthField({
+      id: "box-bottom",
+      label: "Off the floor",
+      unit: "cm",
+      value: bottom,
+      limits: HEIGHTS,
+      step: STEP,
+      change: (length) => edit({ center: [x, y, length + box.size[2] / 2] }),
+    })}
+  </div>`;
+}
+
+function boxCommands({ dispatch }: Page, box: BoxRecord): TemplateResult {
+  const turn = (by: number) => (): void => dispatch({ type: "turn", by });
+  return html`
+    <div class="row" role="group" aria-label="Turn">
+      ${button({ icon: "turn-left", label: "15°", keys: "[", run: turn(TURN) })}
+      <output class="number" aria-label="Turned">${formatAngle(box.heading ?? 0)}</output>
+      ${button({ icon: "turn-right", label: "15°", keys: "]", run: turn(-TURN) })}
+    </div>
+    <div class="row">
+      ${button({ icon: "duplicate", label: "Duplicate", run: () => dispatch({ type: "duplicate-selected" }) })}
+      ${deleteButton(dispatch)}
+    </div>
+  `;
+}
+
+function openingPanel(page: Page, kind: "door" | "window", opening: OpeningRecord): TemplateResult {
+  const { room } = page.state.scene;
+  const { from, width } = spanOf(opening, room);
+  const edit = (value: OpeningRecord): void =>
+    page.dispatch({ type: "edit-opening", opening: kind, value, done: true });
+  const heights = { min: 0, max: room.height };
+  const field = (id: string, label: string, value: number, change: (metres: number) => void) =>
+    lengthField({
+      id: `${kind}-${id}`,
+      label,
+      unit: "cm",
+      value,
+      limits: heights,
+      step: STEP,
+      change,
+    });
+  return section(
+    kind === "door" ? "Door" : "Window",
+    html`
+      <div class="fields" role="group" aria-label="Where it is in the wall">
+        ${lengthField({
+          id: `${kind}-from`,
+          label: "From the corner",
+          unit: "m",
+          value: from,
+          limits: { min: 0, max: 100 },
+          step: STEP,
+          change: (length) => edit(withSpan(opening, room, { from: length, width })),
+        })}
+        ${lengthField({
+          id: `${kind}-width`,
+          label: "Width",
+          unit: "cm",
+          value: width,
+          step: STEP,
+          change: (length) => edit(withSpan(opening, room, { from, width: length })),
+        })}
+      </div>
+      <div class="fields" role="group" aria-label="Heights above the floor">
+        ${field("bottom", "Begins at", opening.bottom, (bottom) => {
+          if (bottom < opening.top) edit({ ...opening, bottom });
+        })}
+        ${field("top", "Ends at", opening.top, (top) => {
+          if (top > opening.bottom) edit({ ...opening, top });
+        })}
+      </div>
+      <div class="row">${deleteButton(page.dispatch)}</div>
+    `,
+    "selection",
+  );
+}
+
+function cornerPanel(page: Page, index: number): TemplateResult {
+  const { corners } = page.state.scene.room;
+  const before = (index + corners.length - 1) % corners.length;
+  return section(
+    "Corner",
+    html`
+      <p class="quiet">How long its two walls are:</p>
+      ${wallFields(page, [before, index])}
+      <div class="row">${corners.length > 3 ? deleteButton(page.dispatch) : nothing}</div>
+    `,
+    "selection",
+  );
+}
+
+/** The lengths of walls, to be typed; the next wall moves along, so right angles stay right. */
+export function wallFields(page: Page, indices: readonly number[]): TemplateResult {
+  const { room } = page.state.scene;
+  const walls = wallsOf(room).filter(({ index }) => indices.includes(index));
+  return html`<div class="fields" role="group" aria-label="Lengths of the walls">
+    ${walls.map((wall) =>
+      lengthField({
+        id: `wall-${wall.index}`,
+        label: `${capital(wallName(wall))} wall`,
+        unit: "m",
+        value: wall.length,
+        step: STEP,
+        change: (length) =>
+          page.dispatch({
+            type: "edit-room",
+            room: withWallLength(room, wall.index, length),
+            done: true,
+          }),
+      }),
+    )}
+  </div>`;
+}
+
+function deleteButton(dispatch: Page["dispatch"]): TemplateResult {
+  return button(
+    {
+      icon: "remove",
+      label: "Delete",
+      keys: "Del",
+      run: () => dispatch({ type: "delete-selected" }),
+    },
+    "quiet",
+  );
+}
+
+function westSouth(corners: readonly Point[]): Point {
+  if (corners.length === 0) return [0, 0];
+  return [Math.min(...corners.map(([x]) => x)), Math.min(...corners.map(([, y]) => y))];
+}
+
+function replaced(size: Vector3, side: number, length: number): Vector3 {
+  return size.map((old, i) => (i === side ? length : old)) as unknown as Vector3;
+}
+
+function capital(word: string): string {
+  return word.charAt(0).toUpperCase() + word.slice(1);
+}

@@ -1,0 +1,116 @@
+/** The first minute: one sentence and one button, then three doors. */
+import { html, nothing, type TemplateResult } from "lit";
+import { button, iconButton } from "./controls";
+import type { Page } from "./page";
+import { start } from "./place";
+import { verdictOf } from "./reasons";
+
+export function welcome(page: Page): TemplateResult | typeof nothing {
+  switch (page.local.guide) {
+    case "invite":
+      return page.state.scene.boxes.length === 0 ? nothing : invitation(page);
+    case "placing":
+      return settling(page);
+    case "doors":
+      return doors(page);
+    case "done":
+      return nothing;
+  }
+}
+
+function invitation(page: Page): TemplateResult {
+  return card(
+    page,
+    html`<p>Where would a sofa go in this room, which way should it face, and why?</p>
+      ${button(
+        {
+          icon: "check",
+          label: "Put a sofa in this room",
+          run: () => {
+            page.change({ guide: "placing" });
+            page.dispatch({ type: "touched" });
+            start(page, "Sofa", null, null, "scenegen");
+          },
+        },
+        "primary",
+      )}`,
+  );
+}
+
+function settling(page: Page): TemplateResult {
+  const { placing } = page.state;
+  const verdict = placing === null ? null : verdictOf(placing);
+  if (placing === null || verdict === null) {
+    const none = placing?.answer?.no_good_place;
+    return card(page, html`<p>${none ? none.text : "Looking round the room…"}</p>`);
+  }
+  const places = placing.answer?.placements ?? [];
+  const at = places.findIndex(({ rank }) => rank === placing.alternative);
+  const next = places[(at + 1) % places.length];
+  return card(
+    page,
+    html`<p>${verdict.sentence}</p>
+      <div class="row">
+        ${button({ icon: "check", label: "Keep it here", run: () => page.dispatch({ type: "confirm" }) }, "primary")}
+        ${
+          next === undefined || places.length < 2
+            ? nothing
+            : button({
+                icon: "again",
+                label: "Show another place",
+                run: () => page.dispatch({ type: "show-alternative", rank: next.rank }),
+              })
+        }
+      </div>`,
+  );
+}
+
+function doors(page: Page): TemplateResult {
+  return card(
+    page,
+    html`<p>The sofa stands. ${page.local.placed?.sentence ?? ""} What now?</p>
+      <div class="doors">
+        ${button({
+          icon: "hand",
+          label: "Try it yourself",
+          run: () => {
+            page.change({ guide: "done", sheet: "half" });
+            start(page, "Chair", null, null, "manual");
+          },
+        })}
+        ${button({
+          icon: "room",
+          label: "Draw your own room",
+          run: () => {
+            page.change({ guide: "done" });
+            page.dispatch({ type: "new-room" });
+            page.dispatch({ type: "choose-tool", tool: "room" });
+          },
+        })}
+        <details class="more">
+          <summary class="button">Use your phone</summary>
+          ${phone(page)}
+        </details>
+      </div>`,
+  );
+}
+
+/** What it takes to open the page on a phone; a page on this machine alone cannot be reached. */
+function phone({ services }: Page): TemplateResult {
+  const url = services.shareUrl();
+  const alone = /^https?:\/\/(localhost|127\.|\[::1\])/.test(url);
+  if (alone) {
+    return html`<p class="quiet">
+      This page runs for this computer alone. Start the server for your network
+      (<code>scenegen --lan</code>); it then shows a code for the phone's camera.
+    </p>`;
+  }
+  return html`<p class="quiet">Open this on the phone: <a href=${url}>${url}</a></p>`;
+}
+
+function card(page: Page, content: TemplateResult): TemplateResult {
+  return html`<section class="card welcome" aria-label="First steps">
+    ${content}
+    ${iconButton({ icon: "close", label: "Close", run: () => page.change({ guide: "done" }) })}
+  </section>`;
+}

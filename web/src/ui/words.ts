@@ -1,0 +1,52 @@
+/** Numbers and names as people read them. */
+import type { Reason } from "../net/protocol.gen";
+
+const RELATION_WORDS: Readonly<Record<string, string>> = {
+  AverageDistance: "Distance to others",
+  SurroundedBy: "Close company",
+  RoomPosition: "Walls nearby",
+  Support: "Standing on",
+  TowardsCenter: "Faces the middle of the room",
+  AwayFromWall: "Back to the wall",
+  DirectionSimilarity: "Lined up with others",
+  Facing: "Facing",
+  NextTo: "Next to",
+};
+
+/** A category inside a sentence: "sofa", but "TV". */
+export function inSentence(category: string): string {
+  return category === category.toUpperCase() ? category : category.toLowerCase();
+}
+
+/** "1 piece", "4 pieces". */
+export function counted(count: number, noun: string): string {
+  return `${count} ${noun}${count === 1 ? "" : "s"}`;
+}
+
+/** A relation as people say it; an unknown one by its own name, taken apart: "InFrontOf". */
+export function relationInWords(relation: string): string {
+  const known = RELATION_WORDS[relation];
+  if (known !== undefined) return known;
+  const spaced = relation.replace(/([a-z])([A-Z])/g, "$1 $2").toLowerCase();
+  return spaced.charAt(0).toUpperCase() + spaced.slice(1);
+}
+
+/** What a bar is about: "Distance to others · table". */
+export function reasonInWords(reason: Reason): string {
+  const relation = relationInWords(reason.relation);
+  return reason.group === "" ? relation : `${relation} · ${inSentence(reason.group)}`;
+}
+
+/** 0 to 1 in words, as in the legend of the heat map. */
+export function likelihoodInWords(likelihood: number): string {
+  if (likelihood >= 0.85) return "very likely";
+  if (likelihood >= 0.6) return "likely";
+  if (likelihood >= 0.35) return "possible";
+  return "unlikely";
+}
+
+/** "+1.24", "−0.31"; a true minus sign. */
+export function signed(value: number): string {
+  const rounded = value.toFixed(2);
+  return value < 0 ? `−${rounded.slice(1)}` : `+${rounded}`;
+}
