@@ -79,12 +79,12 @@ class Packer:
     """Collects materials and meshes into one document and its binary."""
 
     def __init__(self) -> None:
-        self._document: Document = {"asset": ASSET, "scene": 0}
-        self._binary = bytearray()
+        self.document: Document = {"asset": ASSET, "scene": 0}
+        self.binary = bytearray()
 
     def add(self, kind: str, value: Document) -> int:
         """Append to one of the document's lists; its index."""
-        values = self._document.setdefault(kind, [])
+        values = self.document.setdefault(kind, [])
         values.append(value)
         return len(values) - 1
 
@@ -93,13 +93,15 @@ class Packer:
         value: Document = {
             "name": material.name,
             "pbrMetallicRoughness": {
-                "baseColorFactor": [*material.color, 1.0],
+                "baseColorFactor": [*material.color, material.opacity],
                 "metallicFactor": material.metallic,
                 "roughnessFactor": material.roughness,
             },
         }
         if any(material.glow):
             value["emissiveFactor"] = material.glow
+        if material.opacity < 1:
+            value["alphaMode"] = "BLEND"
         if material.thin:
             value["doubleSided"] = True
         return self.add("materials", value)
@@ -119,8 +121,8 @@ class Packer:
     def glb(self, nodes: list[int]) -> bytes:
         """The finished file, whose scene has these root nodes."""
         self.add("scenes", {"nodes": nodes})
-        self._document["buffers"] = [{"byteLength": len(self._binary)}]
-        return write_glb(self._document, bytes(self._binary))
+        self.document["buffers"] = [{"byteLength": len(self.binary)}]
+        return write_glb(self.document, bytes(self.binary))
 
     def _vectors(self, values: Floats, *, bounds: bool) -> int:
         array = values.astype("<f4")
@@ -154,12 +156,12 @@ class Packer:
 
     def _accessor(self, accessor: Document, data: bytes, target: int) -> int:
         """Add an accessor with a view of its own."""
-        self._binary += b"\0" * (-len(self._binary) % 4)
+        self.binary += b"\0" * (-len(self.binary) % 4)
         view = {
             "buffer": 0,
-            "byteOffset": len(self._binary),
+            "byteOffset": len(self.binary),
             "byteLength": len(data),
             "target": target,
         }
-        self._binary += data
+        self.binary += data
         return self.add("accessors", {"bufferView": self.add("bufferViews", view), **accessor})

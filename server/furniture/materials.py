@@ -32,6 +32,7 @@ class Material:
     """Seen from both sides."""
     painted: bool = False
     """Its parts bring their own colors."""
+    opacity: float = 1.0
 
 
 OAK = Material("oak", linear("#c9a57b"), 0.6)

@@ -1,0 +1,241 @@
+"""A model that somebody else made: whether it is usable, and how large it is.
+
+The records are the part of glTF 2.0 that this needs; what they say is checked when it is read.
+Nothing outside the file is ever opened.
+"""
+
+from __future__ import annotations
+
+from typing import Annotated, Literal
+
+import msgspec
+import numpy as np
+from msgspec import Meta, Struct
+
+from server.furniture.glb import Document, read_glb
+from server.furniture.mesh import Floats
+
+MAX_NODES = 20_000
+MAX_DEPTH = 100  # nodes inside one another
+MAX_TRIANGLES = 1_000_000
+SMALLEST, LARGEST = 0.01, 20.0  # metres; nothing smaller or larger is furniture
+TRIANGLE_MODES = (4, 5, 6)  # TRIANGLES, TRIANGLE_STRIP, TRIANGLE_FAN
+READABLE = frozenset({
+    "KHR_lights_punctual", "KHR_materials_anisotropy", "KHR_materials_clearcoat",
+    "KHR_materials_dispersion", "KHR_materials_emissive_strength", "KHR_materials_ior",
+    "KHR_materials_iridescence", "KHR_materials_sheen", "KHR_materials_specular",
+    "KHR_materials_transmission", "KHR_materials_unlit", "KHR_materials_volume",
+    "KHR_mesh_quantization", "KHR_texture_transform", "EXT_texture_webp", "EXT_texture_avif",
+})  # fmt: skip
+"""Extensions that every page can show; those that compress need a decoder."""
+
+COMPONENT_BYTES = {5120: 1, 5121: 1, 5122: 2, 5123: 2, 5125: 4, 5126: 4}
+COMPONENTS = {"SCALAR": 1, "VEC2": 2, "VEC3": 3, "VEC4": 4, "MAT2": 4, "MAT3": 9, "MAT4": 16}
+
+Index = Annotated[int, Meta(ge=0)]
+Triple = tuple[float, float, float]
+Matrix = Annotated[list[float], Meta(min_length=16, max_length=16)]
+
+
+class Asset(Struct, frozen=True):
+    """Which glTF it is."""
+
+    version: str
+
+
+class SceneNodes(Struct, frozen=True):
+    """The roots of a scene."""
+
+    nodes: list[Index] = []
+
+
+class Node(Struct, frozen=True):
+    """A place in the tree."""
+
+    children: list[Index] = []
+    mesh: Index | None = None
+    matrix: Matrix | None = None
+    translation: Triple = (0.0, 0.0, 0.0)
+    rotation: tuple[float, float, float, float] = (0.0, 0.0, 0.0, 1.0)
+    scale: Triple = (1.0, 1.0, 1.0)
+
+
+class Primitive(Struct, frozen=True):
+    """What is drawn at once."""
+
+    attributes: dict[str, Index]
+    indices: Index | None = None
+    mode: Index = 4
+
+
+class MeshRecord(Struct, frozen=True):
+    """Primitives that belong together."""
+
+    primitives: list[Primitive]
+
+
+class Accessor(Struct, frozen=True, rename="camel"):
+    """An array."""
+
+    count: Annotated[int, Meta(ge=1)]
+    component_type: Literal[5120, 5121, 5122, 5123, 5125, 5126]
+    type: Literal["SCALAR", "VEC2", "VEC3", "VEC4", "MAT2", "MAT3", "MAT4"]
+    byte_offset: Index = 0
+    buffer_view: Index | None = None
+    min: list[float] = []
+    max: list[float] = []
+
+
+class BufferView(Struct, frozen=True, rename="camel"):
+    """A slice of the buffer."""
+
+    buffer: Index
+    byte_length: Annotated[int, Meta(ge=1)]
+    byte_offset: Index = 0
+    byte_stride: Annotated[int, Meta(ge=4, le=252)] | None = None
+
+
+class External(Struct, frozen=True):
+    """A buffer or an image; a uri means that it is another file."""
+
+    uri: str | None = None
+
+
+class Gltf(Struct, frozen=True, rename="camel"):
+    """A glTF document."""
+
+    asset: Asset
+    scene: Index = 0
+    scenes: list[SceneNodes] = []
+    nodes: Annotated[list[Node], Meta(max_length=MAX_NODES)] = []
+    meshes: list[MeshRecord] = []
+    accessors: list[Accessor] = []
+    buffer_views: list[BufferView] = []
+    buffers: list[External] = []
+    images: list[External] = []
+    extensions_required: list[str] = []
+
+
+def read_model(data: bytes) -> tuple[Document, bytes, Floats]:
+    """The JSON, the binary and the bounds (2, 3) of a GLB; ValueError says why it is not usable."""
+    document, binary = read_glb(data)
+    try:
+        gltf = msgspec.convert(document, Gltf)
+    except msgspec.ValidationError as error:
+        raise ValueError(f"its JSON is not that of a glTF: {error}") from None
+    try:
+        _check_self_contained(gltf, len(binary))
+        bounds = bounds_of(gltf)
+    except IndexError:
+        raise ValueError("it points to parts that are not there") from None
+    return document, binary, bounds
+
+
+def roots_of(gltf: Gltf) -> list[int]:
+    """The root nodes of the scene that is shown."""
+    if gltf.scenes:
+        return gltf.scenes[gltf.scene].nodes
+    inner = {child for node in gltf.nodes for child in node.children}
+    return [number for number in range(len(gltf.nodes)) if number not in inner]
+
+
+def bounds_of(gltf: Gltf) -> Floats:
+    """Lowest and highest coordinates (2, 3) of all triangles, through the nodes; ValueError."""
+    corners: list[Floats] = []
+    triangles, seen = 0, set[int]()
+    waiting = [(root, np.eye(4), 1) for root in roots_of(gltf)]
+    while waiting:
+        number, outer, depth = waiting.pop()
+        if number in seen or depth > MAX_DEPTH:
+            raise ValueError("its nodes go round in a circle or lie too deep in one another")
+        seen.add(number)
+        node = gltf.nodes[number]
+        matrix = outer @ _matrix(node)
+        waiting += [(child, matrix, depth + 1) for child in node.children]
+        if node.mesh is not None:
+            for primitive in gltf.meshes[node.mesh].primitives:
+                if primitive.mode in TRIANGLE_MODES:
+                    corners.append(_corners(gltf, primitive) @ matrix[:3, :3].T + matrix[:3, 3])
+                    triangles += _count(gltf, primitive) // 3
+    if triangles == 0:
+        raise ValueError("it has no triangles")
+    if triangles > MAX_TRIANGLES:
+        raise ValueError(f"it has {triangles:,} triangles; simplify it to {MAX_TRIANGLES:,}")
+    points = np.concatenate(corners)
+    if not np.isfinite(points).all():
+        raise ValueError("some of its coordinates are not numbers")
+    return np.array([points.min(axis=0), points.max(axis=0)])
+
+
+def size_problem(size: Floats) -> str | None:
+    """What is wrong with a size (3,), metres, or None; names the unit that it looks like."""
+    longest = float(size.max())
+    if longest > 100 * LARGEST:
+        return f"it is {longest:,.0f} m long, as if in millimetres; scale it by 0.001"
+    if longest > LARGEST:
+        return f"it is {longest:,.0f} m long, as if in centimetres; scale it by 0.01"
+    if longest < SMALLEST:
+        return f"it is only {1000 * longest:.2g} mm long; export it in metres"
+    return None
+
+
+def _check_self_contained(gltf: Gltf, available: int) -> None:
+    """ValueError if it needs other files, decoders or bytes that are not there."""
+    if not gltf.asset.version.startswith("2."):
+        raise ValueError(f"it is glTF {gltf.asset.version}; export it as glTF 2.0")
+    unreadable = sorted(set(gltf.extensions_required) - READABLE)
+    if unreadable:
+        raise ValueError(f"it needs {', '.join(unreadable)}; export it without compression")
+    if any(buffer.uri is not None for buffer in gltf.buffers) or len(gltf.buffers) > 1:
+        raise ValueError("its data lies in other files; export it as one GLB")
+    if any(image.uri and not image.uri.startswith("data:image/") for image in gltf.images):
+        raise ValueError("its pictures lie in other files; export it as one GLB")
+    for view in gltf.buffer_views:
+        if view.buffer != 0 or view.byte_offset + view.byte_length > available:
+            raise ValueError("it is cut short: some of its data is missing")
+    if any(_needs(gltf, accessor) > 0 for accessor in gltf.accessors):
+        raise ValueError("one of its arrays is longer than its data")
+
+
+def _needs(gltf: Gltf, accessor: Accessor) -> int:
+    """How many bytes an array reaches beyond its slice; none if 0 or less."""
+    if accessor.buffer_view is None:
+        return 0
+    view = gltf.buffer_views[accessor.buffer_view]
+    element = COMPONENT_BYTES[accessor.component_type] * COMPONENTS[accessor.type]
+    stride = view.byte_stride or element
+    return accessor.byte_offset + stride * (accessor.count - 1) + element - view.byte_length
+
+
+def _matrix(node: Node) -> Floats:
+    """The transform (4, 4) of a node."""
+    if node.matrix is not None:
+        return np.array(node.matrix).reshape(4, 4).T
+    x, y, z, w = node.rotation
+    matrix = np.eye(4)
+    matrix[:3, :3] = [
+        [1 - 2 * (y * y + z * z), 2 * (x * y - z * w), 2 * (x * z + y * w)],
+        [2 * (x * y + z * w), 1 - 2 * (x * x + z * z), 2 * (y * z - x * w)],
+        [2 * (x * z - y * w), 2 * (y * z + x * w), 1 - 2 * (x * x + y * y)],
+    ]
+    matrix[:3, :3] *= node.scale
+    matrix[:3, 3] = node.translation
+    return matrix
+
+
+def _corners(gltf: Gltf, primitive: Primitive) -> Floats:
+    """The eight corners (8, 3) of a primitive's own bounds."""
+    if "POSITION" not in primitive.attributes:
+        raise ValueError("one of its parts has no positions")
+    accessor = gltf.accessors[primitive.attributes["POSITION"]]
+    if len(accessor.min) != 3 or len(accessor.max) != 3:  # noqa: PLR2004 (x, y, z)
+        raise ValueError("one of its parts does not say how large it is")
+    limits = np.array([accessor.min, accessor.max])
+    return limits[np.indices((2, 2, 2)).reshape(3, 8).T, np.arange(3)]
+
+
+def _count(gltf: Gltf, primitive: Primitive) -> int:
+    number = primitive.indices
+    if number is None:
+        number = primitive.attributes["POSITION"]
+    return gltf.accessors[number].count

@@ -1,0 +1,92 @@
+"""The furnished room as one GLB, for any viewer: metres, y up.
+
+Walls show their inner side only, so that one looks into the room from outside as into a doll's
+house; there is no ceiling.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from math import cos, sin
+
+import numpy as np
+
+from scenegen_core.scene.frames import page_turn, to_page
+from scenegen_core.scene.model import Box, Room, Scene
+from server.furniture.embedding import Guest
+from server.furniture.glb import Packer
+from server.furniture.materials import Material, linear
+from server.furniture.mesh import Floats, Mesh
+from server.model_file import read_model
+from server.room_shell import floor_mesh, glass_mesh, wall_mesh
+
+FLOOR = Material("floor", linear("#d8bd98"), 0.7)
+WALL = Material("wall", linear("#f2ede4"), 0.9)
+GLASS = Material("window glass", linear("#dfeaee"), 0.1, thin=True, opacity=0.25)
+CLOSE = 0.001  # metres; a model that is off by less is not stretched
+
+
+def room_glb(scene: Scene, model_of: Callable[[Box], bytes]) -> bytes:
+    """The room with all that stands in it, placed objects too, as one valid GLB.
+
+    Args:
+        scene: What to show.
+        model_of: The GLB of a box, its front along +z, its origin anywhere; it is stretched to
+            the box. Equal bytes are stored once.
+
+    Raises:
+        ValueError: A model is not usable; says why.
+    """
+    packer = Packer()
+    nodes = _shell(packer, scene.room)
+    guests: dict[bytes, tuple[Guest, Floats]] = {}
+    for box in scene.boxes:
+        data = model_of(box)
+        if data not in guests:
+            document, binary, bounds = read_model(data)
+            guests[data] = Guest(packer.document, packer.binary, document, binary), bounds
+        nodes.append(_furniture(packer, box, *guests[data]))
+    root = packer.add("nodes", {"name": scene.name or "room", "children": nodes})
+    return packer.glb([root])
+
+
+def _shell(packer: Packer, room: Room) -> list[int]:
+    """The nodes of floor, walls and window panes."""
+    parts: list[tuple[str, Material, Mesh | None]] = [
+        ("floor", FLOOR, floor_mesh(room)),
+        ("walls", WALL, wall_mesh(room)),
+        ("windows", GLASS, glass_mesh(room)),
+    ]
+    nodes = []
+    for name, material, mesh in parts:
+        if mesh is None:
+            continue
+        primitive = packer.primitive(
+            packer.material(material), mesh.positions, mesh.normals, None, mesh.faces
+        )
+        number = packer.add("meshes", {"name": name, "primitives": [primitive]})
+        nodes.append(packer.add("nodes", {"name": name, "mesh": number}))
+    return nodes
+
+
+def _furniture(packer: Packer, box: Box, guest: Guest, bounds: Floats) -> int:
+    """The node that puts a model's middle where the box has its own, turned and stretched."""
+    depth, width, height = box.size
+    wanted, own = np.array([width, height, depth]), bounds[1] - bounds[0]
+    scale = np.where(
+        (np.abs(wanted - own) > CLOSE) & (own > CLOSE), wanted / np.maximum(own, CLOSE), 1.0
+    )
+    half = page_turn(box.heading) / 2
+    turn = np.array(
+        [[cos(2 * half), 0, sin(2 * half)], [0, 1, 0], [-sin(2 * half), 0, cos(2 * half)]]
+    )
+    place = to_page(np.array(box.center)) - turn @ (scale * bounds.mean(axis=0))
+    node = {
+        "name": box.label or box.category,
+        "children": guest.stand(),
+        "translation": place.tolist(),
+        "rotation": [0.0, sin(half), 0.0, cos(half)],
+    }
+    if (scale != 1).any():
+        node["scale"] = scale.tolist()
+    return packer.add("nodes", node)
