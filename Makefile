@@ -31,6 +31,12 @@ run: $(INSTALLED) $(PAGE)  ## start SceneGen on http://localhost:8000 (another p
 .PHONY: page
 page: $(PAGE)  ## build the page into web/dist
 
+.PHONY: knowledge
+knowledge: $(INSTALLED)  ## learn the knowledge that ships again, from DATA="one.jsonl.gz two.jsonl.gz"
+	@[ -n "$(DATA)" ] || { \
+		echo 'Name the files of rooms: make knowledge DATA="one.jsonl.gz two.jsonl.gz"' >&2; exit 1; }
+	$(BIN)/scenegen learn $(DATA) --out scenegen_core/knowledge/default.npz
+
 .PHONY: test
 test: $(INSTALLED_FOR_TESTS) $(PAGE) browser  ## format, lint, types, unit and browser tests
 	$(BIN)/ruff check
