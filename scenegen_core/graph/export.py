@@ -10,6 +10,7 @@ import msgspec
 
 from scenegen_core.graph.scene_graph import SceneGraph
 
+DECLARATION = '<?xml version="1.0" encoding="UTF-8"?>\n'
 NAMESPACE = "http://graphml.graphdrawing.org/xmlns"
 KEYS = (
     ("node", "kind", "string"),
@@ -48,18 +49,21 @@ def to_graphml(graph: SceneGraph) -> str:
         element = SubElement(body, "edge", {"id": f"e{number}"} | ends)
         _add_data(element, {"relation": edge.relation, "value": edge.value, "text": edge.text})
     indent(root)
-    return tostring(root, encoding="unicode", xml_declaration=True) + "\n"
+    return DECLARATION + tostring(root, encoding="unicode") + "\n"
 
 
 def to_dot(graph: SceneGraph) -> str:
     """A digraph that Graphviz draws, edges labelled with what they mean."""
-    lines = ["digraph scene {", "  rankdir=LR;"]
-    for node in graph.nodes:
-        lines.append(f"  {_dot(node.id)} [label={_dot(node.name)}, shape={SHAPES[node.kind]}];")
-    for edge in graph.edges:
-        ends = f"{_dot(edge.source)} -> {_dot(edge.target)}"
-        lines.append(f"  {ends} [label={_dot(edge.text)}, tooltip={_dot(edge.relation)}];")
-    return "\n".join([*lines, "}", ""])
+    nodes = (
+        f"  {_dot(node.id)} [label={_dot(node.name)}, shape={SHAPES[node.kind]}];"
+        for node in graph.nodes
+    )
+    edges = (
+        f"  {_dot(edge.source)} -> {_dot(edge.target)} "
+        f"[label={_dot(edge.text)}, tooltip={_dot(edge.relation)}];"
+        for edge in graph.edges
+    )
+    return "\n".join(["digraph scene {", "  rankdir=LR;", *nodes, *edges, "}", ""])
 
 
 FORMATS: dict[str, Callable[[SceneGraph], str]] = {
