@@ -1,8 +1,12 @@
 /** What this device remembers: the room that was worked on last, and the session. */
+import { DEFAULT_HEIGHT } from "./model/initial";
 import type { SceneRecord } from "./net/protocol.gen";
 
 const SCENE = "scenegen.scene";
 const SESSION = "scenegen.session";
+/** What files may leave out. */
+const BARE_SCENE = { id: "", name: "", source: "" };
+const BARE_ROOM = { height: DEFAULT_HEIGHT, doors: [], windows: [], room_type: "" };
 /** Changes are written when this long nothing has changed, milliseconds. */
 const CALM = 300;
 
@@ -12,13 +16,14 @@ export function rememberedScene(): SceneRecord | null {
   return text === null ? null : sceneOf(text);
 }
 
-/** The scene of a text, as far as a page can tell; null if it is none. */
+/** The scene of a text, what it leaves out filled in; null if it is none. */
 export function sceneOf(text: string): SceneRecord | null {
   try {
     const value = JSON.parse(text) as Partial<SceneRecord> | null;
     const known = value?.format === "scenegen.scene" && value.version === 1;
-    const whole = Array.isArray(value?.boxes) && Array.isArray(value.room?.corners);
-    return known && whole ? (value as SceneRecord) : null;
+    if (!known || !Array.isArray(value.room?.corners)) return null;
+    const { room, boxes = [] } = value as SceneRecord;
+    return { ...BARE_SCENE, ...(value as SceneRecord), room: { ...BARE_ROOM, ...room }, boxes };
   } catch {
     return null;
   }

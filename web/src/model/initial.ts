@@ -2,7 +2,7 @@
 import type { RoomRecord, SceneRecord } from "../net/protocol.gen";
 import type { State } from "./state";
 
-const HEIGHT = 2.6; // metres; DEFAULT_HEIGHT of scenegen_core
+export const DEFAULT_HEIGHT = 2.6; // metres; the same as in scenegen_core
 const EMPTY_ROOM: RoomRecord = {
   corners: [
     [0, 0],
@@ -10,7 +10,7 @@ const EMPTY_ROOM: RoomRecord = {
     [5, 4],
     [0, 4],
   ],
-  height: HEIGHT,
+  height: DEFAULT_HEIGHT,
   doors: [],
   windows: [],
   room_type: "",

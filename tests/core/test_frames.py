@@ -1,0 +1,47 @@
+"""The axes of core and page, against a golden file that the page's tests read too."""
+
+from __future__ import annotations
+
+import json
+from math import cos, degrees, radians, sin
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from scenegen_core.scene.frames import heading_of_turn, page_turn, to_core, to_page
+
+GOLDEN: dict[str, Any] = json.loads(
+    (Path(__file__).parents[1] / "golden" / "frames.json").read_text(encoding="utf-8")
+)
+CORE = np.array([pair["core"] for pair in GOLDEN["points"]], dtype=np.float64)
+PAGE = np.array([pair["page"] for pair in GOLDEN["points"]], dtype=np.float64)
+FRONTS = pytest.mark.parametrize("front", GOLDEN["fronts"], ids=lambda front: front["name"])
+
+
+def test_core_points_become_the_page_points_of_the_golden_file() -> None:
+    np.testing.assert_array_equal(to_page(CORE), PAGE)
+
+
+def test_page_points_become_the_core_points_of_the_golden_file() -> None:
+    np.testing.assert_array_equal(to_core(PAGE), CORE)
+
+
+def test_the_swap_keeps_the_frame_right_handed() -> None:
+    x, y, z = to_page(np.eye(3))
+    np.testing.assert_array_equal(np.cross(x, y), z)
+
+
+@FRONTS
+def test_a_heading_is_the_turn_of_the_golden_file_and_back(front: dict[str, Any]) -> None:
+    turn = page_turn(radians(front["heading_degrees"]))
+    assert degrees(turn) == pytest.approx(front["turn_degrees"])
+    assert degrees(heading_of_turn(turn)) == pytest.approx(front["heading_degrees"])
+
+
+@FRONTS
+def test_a_turned_model_looks_where_its_heading_points(front: dict[str, Any]) -> None:
+    turn = page_turn(radians(front["heading_degrees"]))
+    looks_along = [sin(turn), 0.0, cos(turn)]  # +z turned about +y
+    np.testing.assert_allclose(looks_along, front["page_front"], atol=1e-12)
