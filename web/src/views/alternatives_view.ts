@@ -1,0 +1,88 @@
+import { Group } from "three";
+import type { State } from "../model/state";
+import type { Placement } from "../net/protocol.gen";
+import { BoxLines } from "./box_lines";
+import { ACCENT, type Look } from "./palette";
+import type { Eye, Part } from "./part";
+import { TextSprite } from "./text_sprite";
+
+/** The other places on offer: faint footprints with their numbers, to be clicked. */
+export class AlternativesView implements Part {
+  readonly root = new Group();
+  #look: Look;
+  #places: { readonly lines: BoxLines; readonly number: TextSprite }[] = [];
+
+  constructor(look: Look) {
+    this.#look = look;
+  }
+
+  relight(look: Look): void {
+    this.#look = look;
+  }
+
+  show(state: State): void {
+    const { placing } = state;
+    const placements = placing?.mode === "scenegen" ? (placing.answer?.placements ?? []) : [];
+    while (this.#places.length < placements.length) {
+      this.#add();
+    }
+    this.#places.forEach(({ lines, number }, i) => {
+      const placement = placements[i];
+      if (!placement || !placing || placement.rank === placing.alternative) {
+        lines.hide();
+        number.visible = false;
+      } else {
+        this.#showPlace(lines, number, placement, placing.size);
+      }
+    });
+  }
+
+  update(eye: Eye): boolean {
+    for (const { number } of this.#places) {
+      number.fit(eye);
+    }
+    return false;
+  }
+
+  dispose(): void {
+    for (const { lines, number } of this.#places) {
+      lines.dispose();
+      number.dispose();
+    }
+    this.#places = [];
+  }
+
+  #add(): void {
+    const place = { lines: new BoxLines(), number: new TextSprite() };
+    this.#places.push(place);
+    this.root.add(place.lines.root, place.number);
+  }
+
+  #showPlace(
+    lines: BoxLines,
+    number: TextSprite,
+    placement: Placement,
+    size: readonly [number, number, number],
+  ): void {
+    const { center, heading, rank } = placement;
+    const bottom = center[2] - size[2] / 2;
+    const flat = { id: "", category: "", heading };
+    const low = Math.min(size[2], 0.02);
+    lines.show(
+      {
+        ...flat,
+        center: [center[0], center[1], bottom + low / 2 + 0.01],
+        size: [size[0], size[1], low],
+      },
+      { color: ACCENT, width: 1.5, dashed: false, fill: 0.22 },
+    );
+    number.position.set(center[0], center[1], bottom + 0.25);
+    number.write(String(rank), {
+      size: 15,
+      bold: true,
+      color: ACCENT,
+      background: this.#look.label,
+      border: ACCENT,
+    });
+  }
+}

@@ -1,0 +1,111 @@
+import { Group } from "three";
+import type { State } from "../model/state";
+import type { BoxRecord } from "../net/protocol.gen";
+import { BoxLines } from "./box_lines";
+import { ContactShadows } from "./contact_shadows";
+import { ACCENT, categoryColor } from "./palette";
+import type { Part } from "./part";
+import { SolidModel } from "./solid_model";
+import type { Solids } from "./solids";
+
+const MAX_SHADOWS = 512; // boxes; a scene has at most 500
+
+interface Piece {
+  readonly model: SolidModel;
+  box: BoxRecord;
+  digest: string | undefined;
+  complete: boolean;
+}
+
+/** Everything that stands in the room, really or placed; outlines on what is meant. */
+export class FurnitureView implements Part {
+  readonly root = new Group();
+  readonly #solids: Solids;
+  readonly #pieces = new Map<string, Piece>();
+  readonly #shadows = new ContactShadows(MAX_SHADOWS);
+  readonly #selected = new BoxLines();
+  readonly #hovered = new BoxLines();
+  #state: State | null = null;
+  #boxes: readonly BoxRecord[] | null = null;
+  #hover: string | null = null;
+
+  constructor(solids: Solids) {
+    this.#solids = solids;
+    this.root.add(this.#shadows.mesh, this.#selected.root, this.#hovered.root);
+  }
+
+  show(state: State): void {
+    this.#state = state;
+    const { boxes } = state.scene;
+    if (boxes !== this.#boxes) {
+      this.#boxes = boxes;
+      this.#removeOld(new Set(boxes.map(({ id }) => id)));
+      this.#shadows.show(boxes);
+    }
+    for (const box of boxes) {
+      this.#showBox(box, state.models[box.id]);
+    }
+    this.#outline(state);
+  }
+
+  /** Which box the pointer is over. */
+  hover(id: string | null): void {
+    if (id !== this.#hover && this.#state) {
+      this.#hover = id;
+      this.#outline(this.#state);
+    }
+  }
+
+  dispose(): void {
+    this.#removeOld(new Set());
+    this.#shadows.dispose();
+    this.#selected.dispose();
+    this.#hovered.dispose();
+  }
+
+  #showBox(box: BoxRecord, digest: string | undefined): void {
+    const piece = this.#pieces.get(box.id) ?? this.#add(box);
+    if (piece.box === box && piece.digest === digest && piece.complete) {
+      return;
+    }
+    const solid = digest === undefined ? null : this.#solids.get(digest);
+    piece.model.show(box, solid);
+    piece.box = box;
+    piece.digest = digest;
+    piece.complete = solid !== null;
+  }
+
+  #add(box: BoxRecord): Piece {
+    const piece = { model: new SolidModel(), box, digest: undefined, complete: false };
+    this.#pieces.set(box.id, piece);
+    this.root.add(piece.model.root);
+    return piece;
+  }
+
+  #removeOld(kept: ReadonlySet<string>): void {
+    for (const [id, piece] of this.#pieces) {
+      if (!kept.has(id)) {
+        piece.model.dispose();
+        this.#pieces.delete(id);
+      }
+    }
+  }
+
+  #outline(state: State): void {
+    const { selection, scene } = state;
+    const selected = selection?.kind === "box" ? selection.id : null;
+    const chosen = scene.boxes.find(({ id }) => id === selected);
+    const under = scene.boxes.find(({ id }) => id === this.#hover && id !== selected);
+    show(this.#selected, chosen, 2.5, 0.16);
+    show(this.#hovered, under, 1.5, 0);
+  }
+}
+
+function show(lines: BoxLines, box: BoxRecord | undefined, width: number, fill: number): void {
+  if (!box) {
+    lines.hide();
+    return;
+  }
+  const color = box.placed ? ACCENT : categoryColor(box.category);
+  lines.show(box, { color, width, dashed: !box.placed, fill });
+}

@@ -1,0 +1,124 @@
+import { Group, type Material, MeshStandardMaterial } from "three";
+import { ghostBox, ghostObstacle } from "../model/placing";
+import type { Placing, State } from "../model/state";
+import type { BoxRecord } from "../net/protocol.gen";
+import { FloorArrow } from "./arrow";
+import { BoxLines } from "./box_lines";
+import { ContactShadows } from "./contact_shadows";
+import { Glide } from "./glide";
+import { ACCENT, FORBIDDEN } from "./palette";
+import type { Eye, Part } from "./part";
+import { SolidModel } from "./solid_model";
+import type { Solids } from "./solids";
+
+const OPACITY = 0.72;
+const ARROW_GAP = 0.06; // metres before the front
+const ABOVE_FLOOR = 0.012;
+
+/** The object on its way into the room: translucent, with a crisp edge and the way it faces. */
+export class GhostView implements Part {
+  readonly root = new Group();
+  readonly #solids: Solids;
+  readonly #glide = new Glide();
+  readonly #arrow = new FloorArrow();
+  readonly #lines = new BoxLines();
+  readonly #shadow = new ContactShadows(1);
+  readonly #translucent = new Map<Material, Material>();
+  #model: SolidModel | null = null;
+  #category = "";
+  #box: BoxRecord | null = null;
+
+  constructor(solids: Solids) {
+    this.#solids = solids;
+    this.root.add(this.#arrow, this.#lines.root, this.#shadow.mesh);
+    this.root.visible = false;
+  }
+
+  show(state: State): void {
+    const { placing } = state;
+    this.root.visible = placing?.pose != null;
+    if (!placing?.pose) {
+      this.#glide.reset();
+      return;
+    }
+    if (!this.#model || placing.category !== this.#category) {
+      this.#renew(placing);
+    }
+    this.#glide.to(placing.pose, placing.alternative === null);
+    this.#box = ghostBox(state);
+    const color = mayStand(state) ? ACCENT : FORBIDDEN;
+    this.#arrow.material.color.set(color);
+    if (this.#box) {
+      this.#lines.show(this.#box, { color, width: 2.5, dashed: false, fill: 0.2 });
+      this.#model?.show(this.#box, placing.asset ? this.#solids.get(placing.asset) : null);
+      this.#shadow.show([this.#box]);
+    }
+    this.#place();
+  }
+
+  update(eye: Eye): boolean {
+    if (!this.root.visible || !this.#glide.advance(eye.elapsed)) {
+      return false;
+    }
+    this.#place();
+    return true;
+  }
+
+  dispose(): void {
+    this.#model?.dispose();
+    this.#lines.dispose();
+    this.#arrow.dispose();
+    this.#shadow.dispose();
+    for (const material of this.#translucent.values()) {
+      material.dispose();
+    }
+  }
+
+  #renew(placing: Placing): void {
+    this.#model?.dispose();
+    this.#category = placing.category;
+    this.#model = new SolidModel((material) => this.#translucentOf(material));
+    this.root.add(this.#model.root);
+  }
+
+  #translucentOf(material: Material): Material {
+    const known = this.#translucent.get(material);
+    if (known) {
+      return known;
+    }
+    const clear = material.clone();
+    clear.transparent = true;
+    clear.opacity = OPACITY;
+    if (clear instanceof MeshStandardMaterial) {
+      clear.emissive.set(ACCENT);
+      clear.emissiveIntensity = 0.08;
+    }
+    this.#translucent.set(material, clear);
+    return clear;
+  }
+
+  /** Moves everything to where the glide is. */
+  #place(): void {
+    const { center, heading } = this.#glide;
+    const [depth, , height] = this.#box?.size ?? [0, 0, 0];
+    const ahead = depth / 2 + ARROW_GAP;
+    const floor = center.z - height / 2;
+    for (const root of [this.#lines.root, this.#model?.root]) {
+      root?.position.set(center.x, center.y, center.z);
+      if (root) {
+        root.rotation.z = heading;
+      }
+    }
+    this.#arrow.rotation.z = heading;
+    this.#arrow.position.set(
+      center.x + Math.cos(heading) * ahead,
+      center.y + Math.sin(heading) * ahead,
+      (floor < 0.3 ? 0 : floor) + ABOVE_FLOOR,
+    );
+  }
+}
+
+/** Whether the ghost may stand where it is, as far as the page and the server know. */
+function mayStand(state: State): boolean {
+  return ghostObstacle(state) === null && state.placing?.inspected?.allowed !== false;
+}

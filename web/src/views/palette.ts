@@ -1,0 +1,79 @@
+/** Colors that mean something, and those of the room by day and at dusk. */
+
+/** The Okabe–Ito palette, which color-blind people can tell apart, by category. */
+const CATEGORY_COLORS: Readonly<Record<string, string>> = {
+  Bed: "#0072b2",
+  Chair: "#e69f00",
+  Decor: "#009e73",
+  Picture: "#cc79a7",
+  Sofa: "#d55e00",
+  Storage: "#56b4e9",
+  Table: "#f0e442",
+  TV: "#3c3c3c",
+};
+const OTHER_COLOR = "#8a8a8a";
+
+export function categoryColor(category: string): string {
+  return CATEGORY_COLORS[category] ?? OTHER_COLOR;
+}
+
+export const ACCENT = "#2f6fed";
+export const FORBIDDEN = "#d7263d";
+
+/** How the room looks: by day, or at dusk when the person prefers dark. */
+export interface Look {
+  readonly background: string;
+  readonly ground: string;
+  readonly wall: string;
+  readonly wallOutside: string;
+  readonly wallCut: string;
+  readonly trim: string;
+  readonly door: string;
+  readonly sky: string;
+  readonly horizon: string;
+  readonly hemisphere: readonly [sky: string, ground: string, intensity: number];
+  readonly sun: readonly [color: string, intensity: number];
+  readonly environment: number;
+  readonly exposure: number;
+  readonly floorTint: string;
+  readonly label: string;
+  readonly labelText: string;
+}
+
+export const DAY: Look = {
+  background: "#efebe4",
+  ground: "#e3ddd3",
+  wall: "#f6f1e8",
+  wallOutside: "#e9e3d8",
+  wallCut: "#cfc6b8",
+  trim: "#fdfbf7",
+  door: "#c9a27a",
+  sky: "#bfe0f7",
+  horizon: "#f7fbff",
+  hemisphere: ["#fff8ec", "#d9c3a4", 1.1],
+  sun: ["#fff0d6", 2.6],
+  environment: 0.45,
+  exposure: 1,
+  floorTint: "#ffffff",
+  label: "rgba(255, 255, 255, 0.94)",
+  labelText: "#22201c",
+};
+
+export const DUSK: Look = {
+  background: "#1d2027",
+  ground: "#191b21",
+  wall: "#b9b0a6",
+  wallOutside: "#5d5a5c",
+  wallCut: "#6f6a68",
+  trim: "#cfc8bf",
+  door: "#8f6d4e",
+  sky: "#33456e",
+  horizon: "#d98e63",
+  hemisphere: ["#8e98b8", "#5a4636", 0.75],
+  sun: ["#ffc58a", 1.5],
+  environment: 0.28,
+  exposure: 0.95,
+  floorTint: "#cdbfb2",
+  label: "rgba(32, 35, 42, 0.92)",
+  labelText: "#f2efe9",
+};

@@ -1,0 +1,86 @@
+import { Group } from "three";
+import type { Assets } from "../contract";
+import type { State } from "../model/state";
+import { AlternativesView } from "./alternatives_view";
+import { CORE_IN_PAGE } from "./axes";
+import { FurnitureView } from "./furniture_view";
+import { GhostView } from "./ghost_view";
+import { HeatView } from "./heat_view";
+import { Lights } from "./lights";
+import type { Look } from "./palette";
+import type { Eye, Part } from "./part";
+import { RoomView } from "./room_view";
+import { Solids } from "./solids";
+
+/**
+ * All there is to see, below one group that stands in the core frame. It knows neither the
+ * renderer nor who drives the frames, so that an XR session can show the same.
+ */
+export class Scenery implements Part {
+  readonly root = new Group();
+  readonly furniture: FurnitureView;
+  readonly #solids: Solids;
+  readonly #parts: readonly Part[];
+  readonly #lit: readonly { relight(look: Look): void }[];
+  #state: State | null = null;
+
+  constructor(assets: Assets, look: Look, changed: () => void) {
+    this.root.matrixAutoUpdate = false;
+    this.root.matrix.copy(CORE_IN_PAGE);
+    this.#solids = new Solids(assets, () => {
+      if (this.#state) {
+        this.show(this.#state);
+        changed();
+      }
+    });
+    const lights = new Lights(look);
+    const room = new RoomView(look);
+    const alternatives = new AlternativesView(look);
+    this.furniture = new FurnitureView(this.#solids);
+    this.#parts = [
+      lights,
+      room,
+      this.furniture,
+      new HeatView(),
+      alternatives,
+      new GhostView(this.#solids),
+    ];
+    this.#lit = [lights, room, alternatives];
+    for (const part of this.#parts) {
+      this.root.add(part.root);
+    }
+  }
+
+  show(state: State): void {
+    this.#state = state;
+    for (const part of this.#parts) {
+      part.show(state);
+    }
+  }
+
+  /** For another time of the day. */
+  relight(look: Look): void {
+    for (const part of this.#lit) {
+      part.relight(look);
+    }
+    if (this.#state) {
+      this.show(this.#state);
+    }
+  }
+
+  update(eye: Eye): boolean {
+    let moving = false;
+    for (const part of this.#parts) {
+      moving = (part.update?.(eye) ?? false) || moving;
+    }
+    return moving;
+  }
+
+  dispose(): void {
+    for (const part of this.#parts) {
+      part.dispose();
+    }
+    this.#solids.dispose();
+    this.root.removeFromParent();
+  }
+}

@@ -1,0 +1,197 @@
+import { ACESFilmicToneMapping, Color, PCFShadowMap, Scene, WebGLRenderer } from "three";
+import type { Assets, StageView } from "../contract";
+import type { Action, Point, State } from "../model/state";
+import { Cameras } from "./cameras";
+import type { Insets } from "./framing";
+import { addReflections } from "./lights";
+import { DAY, DUSK, type Look } from "./palette";
+import { Scenery } from "./scenery";
+
+const MAX_PIXEL_RATIO = 2;
+const MAX_STEP = 0.1; // seconds; a longer pause is not caught up with
+
+/** What the last frame cost; for tests. */
+export interface StageInfo {
+  readonly calls: number;
+  readonly triangles: number;
+  readonly frames: number;
+  readonly geometries: number;
+  readonly textures: number;
+}
+
+/**
+ * The three-dimensional room. It draws only when something has changed or moves, and it follows
+ * the free part of the window: the panels say in --inset-left, -right, -top, -bottom (pixels) on
+ * :root what they cover, and a "resize" event makes the stage look again.
+ */
+export class Stage implements StageView {
+  readonly #host: HTMLElement;
+  readonly #renderer: WebGLRenderer;
+  readonly #scene = new Scene();
+  readonly #cameras: Cameras;
+  readonly #scenery: Scenery;
+  readonly #dark = matchMedia("(prefers-color-scheme: dark)");
+  readonly #listening = new AbortController();
+  readonly #observer: ResizeObserver;
+  #removeReflections: () => void;
+  #request = 0;
+  #last = 0;
+  #frames = 0;
+
+  constructor(host: HTMLElement, dispatch: (action: Action) => void, assets: Assets) {
+    this.#host = host;
+    this.#renderer = createRenderer();
+    const canvas = this.#renderer.domElement;
+    canvas.tabIndex = 0;
+    canvas.setAttribute("role", "img");
+    canvas.setAttribute("aria-label", "The room in three dimensions");
+    canvas.style.cssText =
+      "display:block;width:100%;height:100%;touch-action:none;outline-offset:-3px";
+    host.append(canvas);
+    const look = this.#look();
+    this.#scenery = new Scenery(assets, look, () => this.invalidate());
+    this.#scene.add(this.#scenery.root);
+    this.#removeReflections = addReflections(this.#renderer, this.#scene);
+    this.#cameras = new Cameras(canvas, () => this.invalidate());
+    void dispatch;
+    this.#relight(look);
+    this.#listen(canvas);
+    this.#observer = new ResizeObserver(() => this.#resize());
+    this.#observer.observe(host);
+    this.#resize();
+  }
+
+  show(state: State): void {
+    this.#cameras.show(state);
+    this.#scenery.show(state);
+    this.invalidate();
+  }
+
+  viewPoint(): Point {
+    return this.#cameras.viewPoint();
+  }
+
+  /** Draws once more and keeps that frame: a canvas forgets its picture once it is shown. */
+  picture(): Promise<Blob> {
+    this.#draw(0);
+    return new Promise((resolve, reject) => {
+      this.#renderer.domElement.toBlob((blob) => {
+        if (blob) {
+          resolve(blob);
+        } else {
+          reject(new Error("The picture could not be made; try again."));
+        }
+      }, "image/png");
+    });
+  }
+
+  /** What the last frame cost: draw calls, triangles; how many frames there were so far. */
+  info(): StageInfo {
+    const { render, memory } = this.#renderer.info;
+    return {
+      calls: render.calls,
+      triangles: render.triangles,
+      frames: this.#frames,
+      geometries: memory.geometries,
+      textures: memory.textures,
+    };
+  }
+
+  /** Has a frame drawn soon. While an XR session shows the room, the session does that. */
+  invalidate(): void {
+    if (this.#request === 0 && !this.#renderer.xr.isPresenting) {
+      this.#request = requestAnimationFrame((now) => this.#frame(now));
+    }
+  }
+
+  dispose(): void {
+    cancelAnimationFrame(this.#request);
+    this.#listening.abort();
+    this.#observer.disconnect();
+    this.#cameras.dispose();
+    this.#scenery.dispose();
+    this.#removeReflections();
+    this.#renderer.dispose();
+    this.#renderer.domElement.remove();
+  }
+
+  #frame(now: number): void {
+    this.#request = 0;
+    const pause = (now - this.#last) / 1000;
+    this.#last = now;
+    if (this.#draw(pause > MAX_STEP * 5 ? 0.016 : Math.min(pause, MAX_STEP))) {
+      this.invalidate();
+    }
+  }
+
+  /** One frame; true while something moves. */
+  #draw(elapsed: number): boolean {
+    const turning = this.#cameras.advance(elapsed);
+    const camera = this.#cameras.active;
+    camera.updateMatrixWorld();
+    this.#scene.updateMatrixWorld();
+    const moving = this.#scenery.update({ camera, pixels: this.#host.clientHeight, elapsed });
+    this.#renderer.render(this.#scene, camera);
+    this.#frames += 1;
+    return turning || moving;
+  }
+
+  #listen(canvas: HTMLCanvasElement): void {
+    const { signal } = this.#listening;
+    window.addEventListener("resize", () => this.#resize(), { signal });
+    this.#dark.addEventListener("change", () => this.#relight(this.#look()), { signal });
+    canvas.addEventListener("webglcontextlost", (event) => event.preventDefault(), { signal });
+    canvas.addEventListener("webglcontextrestored", () => this.#restore(), { signal });
+  }
+
+  /** three uploads its own things again; the reflections were drawn on the card and are gone. */
+  #restore(): void {
+    this.#removeReflections();
+    this.#removeReflections = addReflections(this.#renderer, this.#scene);
+    this.invalidate();
+  }
+
+  #look(): Look {
+    return this.#dark.matches ? DUSK : DAY;
+  }
+
+  #relight(look: Look): void {
+    this.#scene.background = new Color(look.background);
+    this.#scene.environmentIntensity = look.environment;
+    this.#renderer.toneMappingExposure = look.exposure;
+    this.#scenery.relight(look);
+    this.invalidate();
+  }
+
+  #resize(): void {
+    const { clientWidth, clientHeight } = this.#host;
+    if (this.#renderer.xr.isPresenting || clientWidth === 0 || clientHeight === 0) {
+      return;
+    }
+    this.#renderer.setPixelRatio(Math.min(devicePixelRatio, MAX_PIXEL_RATIO));
+    this.#renderer.setSize(clientWidth, clientHeight, false);
+    this.#cameras.setInsets(insetsOf(document.documentElement));
+    this.invalidate();
+  }
+}
+
+function createRenderer(): WebGLRenderer {
+  const renderer = new WebGLRenderer({ antialias: true, powerPreference: "high-performance" });
+  renderer.toneMapping = ACESFilmicToneMapping;
+  renderer.shadowMap.enabled = true;
+  renderer.shadowMap.type = PCFShadowMap;
+  return renderer;
+}
+
+/** What the panels cover, as they say on the root element. */
+function insetsOf(root: HTMLElement): Insets {
+  const style = getComputedStyle(root);
+  const pixels = (side: string) =>
+    Number.parseFloat(style.getPropertyValue(`--inset-${side}`)) || 0;
+  return {
+    left: pixels("left"),
+    right: pixels("right"),
+    top: pixels("top"),
+    bottom: pixels("bottom"),
+  };
+}
