@@ -4,7 +4,7 @@ import type { Connection } from "../model/state";
 import { button, iconButton } from "./controls";
 import { icon } from "./icons";
 import type { Page } from "./page";
-import { roomsMenu } from "./rooms_menu";
+import { fileButtons, roomsMenu } from "./rooms_menu";
 import { counted } from "./words";
 
 export function header(page: Page): TemplateResult {
@@ -15,6 +15,7 @@ export function header(page: Page): TemplateResult {
       <span>${state.scene.name || "My room"}</span>${icon("down")}
     </button>
     ${history(page)}
+    <span class="files">${fileButtons(page)}</span>
     <span class="spring"></span>
     ${connection(state.connection)}
     <button type="button" class="button" popovertarget="export-menu">${icon("export")}<span>Export</span></button>

@@ -1,7 +1,7 @@
 /** What is shown over the room: the map, its legend, the graph, the names. */
 import { html, nothing, type TemplateResult } from "lit";
 import type { HeatMap, Layer, State } from "../model/state";
-import { button } from "./controls";
+import { toolButton } from "./controls";
 import type { IconName } from "./icons";
 import type { Page } from "./page";
 import { likelihoodInWords, relationInWords, signed } from "./words";
@@ -19,9 +19,9 @@ export function layersPanel(page: Page): TemplateResult {
 }
 
 function toggles({ state, dispatch }: Page): TemplateResult {
-  return html`<div class="row" role="group" aria-label="Show">
+  return html`<div class="toggles" role="group" aria-label="Show">
     ${LAYERS.map(({ layer, icon, label, keys }) =>
-      button({
+      toolButton({
         icon,
         label,
         keys,

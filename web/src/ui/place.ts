@@ -6,7 +6,7 @@ import { formatSize } from "../model/units";
 import { chips, placeable } from "./categories";
 import { button, lengthField, section } from "./controls";
 import type { Page } from "./page";
-import { inSentence, likelihoodInWords } from "./words";
+import { inSentence } from "./words";
 
 const SIZE_STEP = 0.05; // metres
 const SIDES = ["Depth", "Width", "Height"] as const;
@@ -25,7 +25,7 @@ export function placePanel(page: Page): TemplateResult {
         (name) => start(page, name, null, null),
       )}
       ${modeSwitch(page)}
-      ${placing === null ? after(page) : html`${places(page, placing)} ${decide(page, placing)} ${items(page, placing)} ${size(page, placing)}`}
+      ${placing === null ? after(page) : html`${places(page, placing)} ${decide(page, placing)} ${size(page, placing)} ${items(page, placing)}`}
     `,
     "place",
   );
@@ -60,7 +60,7 @@ function modeSwitch({ state, local, services, dispatch, change }: Page): Templat
     >`;
   return html`<fieldset class="switch">
     <legend>Who finds the place?</legend>
-    ${option("scenegen", "SceneGen", "finds good places")} ${option("manual", "Manual", "you put it")}
+    ${option("scenegen", "SceneGen", "finds the place")} ${option("manual", "Manual", "you find it")}
   </fieldset>`;
 }
 
@@ -119,7 +119,8 @@ function size({ state, dispatch }: Page, placing: Placing): TemplateResult {
   };
   const usual = usualSize(placing.category, state.lists.categories);
   const isUsual = placing.size.every((length, i) => Math.abs(length - (usual[i] ?? 0)) < 0.005);
-  return html`<div class="size">
+  return html`<details class="more size">
+    <summary><span>Size</span><span class="quiet">${formatSize(placing.size)}</span></summary>
     <div class="fields" role="group" aria-label="Size">
       ${SIDES.map((label, side) =>
         lengthField({
@@ -139,7 +140,7 @@ function size({ state, dispatch }: Page, placing: Placing): TemplateResult {
             Use the usual size
           </button>`
     }
-  </div>`;
+  </details>`;
 }
 
 function places(page: Page, placing: Placing): TemplateResult {
@@ -164,7 +165,7 @@ function places(page: Page, placing: Placing): TemplateResult {
           aria-pressed=${placing.alternative === placement.rank}
           @click=${() => page.dispatch({ type: "show-alternative", rank: placement.rank })}
         >
-          <kbd>${i + 1}</kbd><span>${placement.sentence}<small>${likelihoodInWords(placement.likelihood)}</small></span>
+          <kbd>${i + 1}</kbd><span title=${placement.sentence}>${placement.sentence}</span>
         </button>
       </li>`,
     )}

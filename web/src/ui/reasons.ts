@@ -4,7 +4,7 @@ import type { Placing } from "../model/state";
 import type { Reason } from "../net/protocol.gen";
 import { section } from "./controls";
 import type { Page } from "./page";
-import { counted, reasonInWords, signed } from "./words";
+import { counted, likelihoodInWords, reasonInWords, signed } from "./words";
 
 /** Bars shown at once; the rest waits behind a click. */
 const SHOWN = 4;
@@ -14,6 +14,7 @@ interface Verdict {
   readonly title: string;
   readonly sentence: string;
   readonly score: number | null;
+  readonly likelihood: number | null;
   readonly reasons: readonly Reason[];
   readonly rooms: readonly string[];
 }
@@ -24,7 +25,10 @@ export function reasonsPanel({ state }: Page): TemplateResult | typeof nothing {
   return section(
     verdict.title,
     html`
-      <p class="why">${verdict.sentence}</p>
+      <p class="why">
+        ${verdict.sentence}
+        ${verdict.likelihood === null ? nothing : html`<small>A ${likelihoodInWords(verdict.likelihood)} place.</small>`}
+      </p>
       ${bars(verdict.reasons)} ${total(verdict)} ${rooms(verdict.rooms)}
     `,
     "reasons",

@@ -14,13 +14,9 @@ const KINDS = [
 ] as const;
 
 export function roomsMenu(page: Page): TemplateResult {
-  const { state, services } = page;
+  const { state } = page;
   return html`<div class="menu rooms" id="rooms-menu" popover @toggle=${(event: ToggleEvent) => opened(page, event)}>
-    <div class="row">
-      ${button({ icon: "new", label: "New room", run: () => closing(() => page.dispatch({ type: "new-room" })) })}
-      ${button({ icon: "open", label: "Open file…", run: () => closing(() => chooseFile(services.openSceneFile)) })}
-      ${button({ icon: "save", label: "Save", keys: "Ctrl S", run: () => closing(services.saveScene) })}
-    </div>
+    <div class="row files">${fileButtons(page)}</div>
     ${KINDS.map(({ kind, title }) =>
       list(
         page,
@@ -36,8 +32,18 @@ export function roomsMenu(page: Page): TemplateResult {
   </div>`;
 }
 
+/** A new room, one from a file, this one as a file. */
+export function fileButtons({ dispatch, services }: Page): TemplateResult {
+  const open = (): void => chooseFile(services.openSceneFile);
+  return html`
+    ${button({ icon: "new", label: "New room", run: closing(() => dispatch({ type: "new-room" })) })}
+    ${button({ icon: "open", label: "Open file…", run: closing(open) })}
+    ${button({ icon: "save", label: "Save", keys: "Ctrl S", run: closing(services.saveScene) })}
+  `;
+}
+
 /** Asks the browser for a scene file. */
-export function chooseFile(open: (file: File) => Promise<void>): void {
+function chooseFile(open: (file: File) => Promise<void>): void {
   const input = document.createElement("input");
   input.type = "file";
   input.accept = ".json,application/json";
@@ -66,16 +72,19 @@ function entry({ state, local, services }: Page, room: RoomInfo): TemplateResult
     type="button"
     class="room-entry"
     aria-current=${state.scene.id === room.id ? "true" : nothing}
-    @click=${() => closing(() => void services.openRoom(room.id))}
+    @click=${closing(() => services.openRoom(room.id))}
   >
     ${drawn === undefined ? html`<span class="plan">${icon("room")}</span>` : plan(drawn)}
     <span><b>${room.name}</b><small>${formatArea(room.area)} · ${counted(room.boxes, "piece")}</small></span>
   </button>`;
 }
 
-function closing(run: () => void): void {
-  document.getElementById("rooms-menu")?.hidePopover();
-  run();
+/** Does it, with the menu closed. */
+function closing(run: () => unknown): () => void {
+  return () => {
+    document.getElementById("rooms-menu")?.hidePopover();
+    run();
+  };
 }
 
 /** Fetches the plans that are missing, the first time the menu opens; without them it works too. */
