@@ -91,7 +91,7 @@ def read_scenes(path: Path, *, on_broken: OnBroken = _log) -> Iterator[Scene]:
             continue
         try:
             yield scene_of(msgspec.json.decode(line, type=RoomRow))
-        except (msgspec.DecodeError, SceneError) as error:
+        except (msgspec.DecodeError, UnicodeDecodeError, SceneError) as error:
             on_broken(BrokenRow(path, number, str(error)))
 
 

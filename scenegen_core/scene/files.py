@@ -98,7 +98,7 @@ def decode_scene(text: bytes) -> SceneRecord:
     """The record of a file's bytes; SceneError says what is wrong and where."""
     try:
         head = msgspec.json.decode(text, type=_Head)
-    except msgspec.DecodeError as error:
+    except (msgspec.DecodeError, UnicodeDecodeError) as error:
         raise SceneError(f"This is not a scene file: {error}. Save it again and retry.") from None
     if head.format != "scenegen.scene":
         raise SceneError("This is JSON, but not a scene file: its format is not 'scenegen.scene'.")
@@ -108,7 +108,7 @@ def decode_scene(text: bytes) -> SceneRecord:
         )
     try:
         return msgspec.json.decode(text, type=SceneRecord)
-    except msgspec.ValidationError as error:
+    except (msgspec.ValidationError, UnicodeDecodeError) as error:
         raise SceneError(f"The scene file is wrong: {error}.") from None
 
 

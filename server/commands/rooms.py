@@ -42,7 +42,7 @@ def open_room(path: Path, room_id: str | None = None) -> Scene:
         return _only_room(path) if room_id is None else find_scene(path, room_id)
     scene = read_scene(content)
     if room_id not in (None, scene.id):
-        raise SceneError(f"{path} is one room and its id is {scene.id!r}; leave the room id out.")
+        raise SceneError(f"{path} is one room and its id is {scene.id!r}; leave --room-id out.")
     return scene
 
 
@@ -51,7 +51,7 @@ def _holds_rows(first: bytes) -> bool:
         return True
     try:
         msgspec.json.decode(first, type=_Row)
-    except msgspec.DecodeError:
+    except (msgspec.DecodeError, UnicodeDecodeError):
         return False
     return True
 
@@ -63,5 +63,7 @@ def _only_room(path: Path) -> Scene:
     if len(rooms) > 1:
         some = ", ".join(room.id for room in rooms[:LISTED])
         more = ", …" if len(rooms) > LISTED else ""
-        raise DataError(f"{path} holds {len(rooms)} rooms; choose one by its id: {some}{more}.")
+        raise DataError(
+            f"{path} holds {len(rooms)} rooms; choose one with --room-id: {some}{more}."
+        )
     return rooms[0]
