@@ -4,7 +4,7 @@ import type { Draft, Point } from "../model/state";
 import { formatSize } from "../model/units";
 import { button, lengthField, section } from "./controls";
 import { nextCorner } from "./exact";
-import { hasRoom, hint } from "./hints";
+import { hasRoom } from "./hints";
 import { putHere } from "./keyboard";
 import { parseLength } from "./lengths";
 import type { Page } from "./page";
@@ -17,6 +17,12 @@ const TITLES = {
   door: "Put in a door",
   window: "Put in a window",
 };
+const PUT = {
+  room: "First corner here",
+  box: "A box here",
+  door: "Into the nearest wall",
+  window: "Into the nearest wall",
+};
 const WAYS: readonly { angle: number; name: string; sign: string }[] = [
   { angle: Math.PI / 2, name: "north", sign: "↑" },
   { angle: 0, name: "east", sign: "→" },
@@ -25,39 +31,32 @@ const WAYS: readonly { angle: number; name: string; sign: string }[] = [
 ];
 
 export function drawingPanel(page: Page): TemplateResult | typeof nothing {
-  const { tool } = page.state;
+  const { tool, draft } = page.state;
   if (tool === "select") return nothing;
-  return section(
-    TITLES[tool],
-    html`<p class="quiet">${hint(page.state)}</p>
-      ${tool === "room" ? outline(page) : single(page)}
-      <div class="row">
-        ${button({
-          icon: "check",
-          label: "Done",
-          keys: "Esc",
-          run: () => page.dispatch({ type: "choose-tool", tool: "select" }),
-        })}
-      </div>`,
-    "drawing",
-  );
+  const corners = draft?.kind === "room" ? draft.corners : [];
+  const content = corners.length > 0 ? nextWall(page, corners) : single(page);
+  return section(TITLES[tool], content, "drawing");
 }
 
-function single(page: Page): TemplateResult | typeof nothing {
+/** Back to selecting. */
+function leave({ dispatch }: Page, label: string): TemplateResult {
+  const run = (): void => dispatch({ type: "choose-tool", tool: "select" });
+  return button({ icon: "close", label, keys: "Esc", run });
+}
+
+/** One thing put where the view is looking. */
+function single(page: Page): TemplateResult {
   const { state, local, services } = page;
   if (state.draft?.kind === "box-height") return height(page, state.draft);
-  if (!hasRoom(state) && state.tool !== "box") {
-    return html`<p class="quiet">There is no wall yet: draw the room first.</p>`;
-  }
-  const label =
-    state.tool === "box" ? "Put a box in the middle of the view" : "Put it in the nearest wall";
-  const at = (): Point => local.crosshair ?? services.viewPoint();
-  return button({
-    icon: state.tool === "box" ? "box" : state.tool === "door" ? "door" : "window",
-    label,
+  if (state.tool === "select") throw new Error("Selecting draws nothing.");
+  const put = button({
+    icon: state.tool,
+    label: PUT[state.tool],
     keys: "Enter",
-    run: () => putHere(page, at()),
+    run: () => putHere(page, local.crosshair ?? services.viewPoint()),
   });
+  return html`<div class="row">${put} ${leave(page, "Done")}</div>
+    ${state.tool === "room" && hasRoom(state) ? standing(page) : nothing}`;
 }
 
 function height({ dispatch }: Page, draft: Draft & { kind: "box-height" }): TemplateResult {
@@ -72,11 +71,9 @@ function height({ dispatch }: Page, draft: Draft & { kind: "box-height" }): Temp
     })}`;
 }
 
-/** While there is a draft: the next wall by length and direction. Else: the walls as they are. */
-function outline(page: Page): TemplateResult {
-  const { state, dispatch } = page;
-  const corners = state.draft?.kind === "room" ? state.draft.corners : null;
-  if (corners === null || corners.length === 0) return standing(page);
+/** The next wall by its length and its direction. */
+function nextWall(page: Page, corners: readonly Point[]): TemplateResult {
+  const { dispatch } = page;
   const last = corners[corners.length - 1] as Point;
   return html`
     <p class="question">Or type the next wall:</p>
@@ -95,35 +92,28 @@ function outline(page: Page): TemplateResult {
         )}
       </div>
     </div>
+    ${button(
+      {
+        icon: "check",
+        label: "Close the room",
+        disabled: corners.length < 3,
+        run: () => dispatch({ type: "close-outline" }),
+      },
+      "primary",
+    )}
     <div class="row">
-      ${button(
-        {
-          icon: "check",
-          label: "Close the room",
-          disabled: corners.length < 3,
-          run: () => dispatch({ type: "close-outline" }),
-        },
-        "primary",
-      )}
       ${button({ icon: "undo", label: "Last corner", keys: "Del", run: () => dispatch({ type: "remove-last-corner" }) })}
+      ${leave(page, "Stop")}
     </div>
   `;
 }
 
-function standing(page: Page): TemplateResult {
-  const { scene } = page.state;
-  const begin = button({
-    icon: "new",
-    label: "Start in the middle of the view",
-    keys: "Enter",
-    run: () => putHere(page, page.local.crosshair ?? page.services.viewPoint()),
-  });
-  if (!hasRoom(page.state)) return begin;
-  const { room } = scene;
-  return html`${begin}
-    <p class="question">The walls as they are</p>
+/** The walls as they are, each by its length, and the ceiling. */
+function standing({ state, dispatch }: Page): TemplateResult {
+  const { room } = state.scene;
+  return html`<p class="question">Or type how long the walls are:</p>
     ${wallFields(
-      page,
+      { state, dispatch },
       room.corners.map((_, i) => i),
     )}
     ${lengthField({
@@ -134,7 +124,7 @@ function standing(page: Page): TemplateResult {
       limits: { min: 1, max: 20 },
       step: STEP,
       change: (length) =>
-        page.dispatch({ type: "edit-room", room: { ...room, height: length }, done: true }),
+        dispatch({ type: "edit-room", room: { ...room, height: length }, done: true }),
     })}`;
 }
 

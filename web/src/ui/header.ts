@@ -25,16 +25,16 @@ export function header(page: Page): TemplateResult {
 }
 
 /** Undo and redo; on a phone they stand in the row of tools. */
-export function history({ state, dispatch }: Page): TemplateResult {
+export function history({ state, dispatch }: Page, show = iconButton): TemplateResult {
   return html`<span class="history">
-    ${iconButton({
+    ${show({
       icon: "undo",
       label: "Undo",
       keys: "Ctrl Z",
       disabled: state.past.length === 0,
       run: () => dispatch({ type: "undo" }),
     })}
-    ${iconButton({
+    ${show({
       icon: "redo",
       label: "Redo",
       keys: "Ctrl Shift Z",

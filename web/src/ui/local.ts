@@ -1,6 +1,6 @@
 /** How what only the panels know follows the state. */
 import type { State } from "../model/state";
-import type { Guide, LastPlaced, Local } from "./page";
+import type { Guide, LastPlaced, Local, SheetHeight } from "./page";
 import { verdictOf } from "./reasons";
 
 /** The local value after the state has gone from one to the next. */
@@ -14,7 +14,7 @@ export function follow(local: Local, before: State, after: State): Local {
     placed: placed ?? (forgotten ? null : local.placed),
     crosshair: after.tool === before.tool ? local.crosshair : null,
     mode: after.placing?.mode ?? local.mode,
-    sheet: needsRoom(before, after) && local.sheet === "full" ? "half" : local.sheet,
+    sheet: sheetAfter(local.sheet, before, after),
   };
 }
 
@@ -49,7 +49,10 @@ function guideAfter(guide: Guide, before: State, after: State, placed: boolean):
   }
 }
 
-/** The full sheet would hide where things happen. */
-function needsRoom(before: State, after: State): boolean {
-  return before.tool !== after.tool || (before.placing === null && after.placing !== null);
+/** Placing and drawing need to be seen in the panel, and the room needs to be seen beside it. */
+function sheetAfter(sheet: SheetHeight, before: State, after: State): SheetHeight {
+  const began = before.placing === null && after.placing !== null;
+  const ended = before.placing !== null && after.placing === null;
+  if (began || (before.tool !== after.tool && sheet === "full")) return "half";
+  return ended ? "peek" : sheet;
 }

@@ -198,8 +198,11 @@ function cornerPanel(page: Page, index: number): TemplateResult {
 }
 
 /** The lengths of walls, to be typed; the next wall moves along, so right angles stay right. */
-export function wallFields(page: Page, indices: readonly number[]): TemplateResult {
-  const { room } = page.state.scene;
+export function wallFields(
+  { state, dispatch }: Pick<Page, "state" | "dispatch">,
+  indices: readonly number[],
+): TemplateResult {
+  const { room } = state.scene;
   const walls = wallsOf(room).filter(({ index }) => indices.includes(index));
   return html`<div class="fields" role="group" aria-label="Lengths of the walls">
     ${walls.map((wall) =>
@@ -210,7 +213,7 @@ export function wallFields(page: Page, indices: readonly number[]): TemplateResu
         value: wall.length,
         step: STEP,
         change: (length) =>
-          page.dispatch({
+          dispatch({
             type: "edit-room",
             room: withWallLength(room, wall.index, length),
             done: true,

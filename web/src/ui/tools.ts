@@ -35,7 +35,7 @@ export function tools(page: Page): TemplateResult {
       )}
     </div>
     <div class="phone-only tool-group">
-      ${history(page)}
+      ${history(page, toolButton)}
       <button type="button" class="tool" popovertarget="export-menu">${icon("more")}<span>More</span></button>
     </div>
   </nav>`;

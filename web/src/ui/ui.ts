@@ -1,6 +1,6 @@
 /** The panels round the room: mounted once, rendered anew with every state. */
 import "../styles/index.css";
-import { html, render, type TemplateResult } from "lit";
+import { html, nothing, render, type TemplateResult } from "lit";
 import type { Services, View } from "../contract";
 import type { State } from "../model/state";
 import type { Dispatch } from "../store";
@@ -73,8 +73,8 @@ export function panels(page: Page): TemplateResult {
     <aside class="panel" aria-label="Panel" data-sheet=${page.local.sheet}>
       ${sheetHandle(page)}
       <div class="parts">
-        ${drawingPanel(page)} ${selectionPanel(page)} ${placePanel(page)} ${reasonsPanel(page)}
-        ${layersPanel(page)}
+        ${drawingPanel(page)} ${selectionPanel(page)}
+        ${page.state.tool === "select" ? placePanel(page) : nothing} ${reasonsPanel(page)} ${layersPanel(page)}
       </div>
     </aside>
     ${help(page)}
