@@ -1,1 +1,1 @@
-"""The commands of ``scenegen``: each has ``add_arguments(parser)`` and ``run(arguments)``."""
+"""The commands, a module each with ``add_arguments(parser)`` and ``run(arguments) -> int``."""

@@ -1,0 +1,219 @@
+"""One socket with its session: reads messages, carries out what the session wants, writes."""
+
+from __future__ import annotations
+
+import logging
+from collections.abc import Callable
+from functools import partial
+from time import monotonic
+from typing import TypeVar, assert_never
+
+from starlette.websockets import WebSocket, WebSocketDisconnect
+
+from scenegen_core.errors import SceneGenError
+from server.effects import (
+    Deed,
+    DrawGraph,
+    Examine,
+    Furnish,
+    Push,
+    Save,
+    Send,
+    SendAnswer,
+    Solve,
+    StopSolving,
+)
+from server.engine import Cancel, Engine
+from server.limits import Allowance
+from server.outbox import Frame, Outbox
+from server.protocol import (
+    CLOSE_TOO_MANY_ERRORS,
+    MAX_ERRORS,
+    MAX_MESSAGES_A_SECOND,
+    AssetHeader,
+    ClientMessage,
+    Hello,
+    Problem,
+)
+from server.session import (
+    ResultStep,
+    Session,
+    Step,
+    examined,
+    furnished,
+    graphed,
+    greet,
+    handle,
+    solved,
+)
+from server.store import Store, Stored
+from server.wire import Binary, Close, decode, encode, frame
+from server.work import draw_graph, examine, make_models, solve_ask
+from server.world import World
+
+T = TypeVar("T")
+log = logging.getLogger(__name__)
+
+
+class Connection:
+    """A socket that is open; its session is a value that only this class replaces."""
+
+    def __init__(self, websocket: WebSocket, world: World, store: Store, engine: Engine) -> None:
+        self.outbox = Outbox()
+        self.over = False
+        """True once a close is on its way: what is still read is ignored."""
+        self._websocket = websocket
+        self._world = world
+        self._store = store
+        self._engine = engine
+        self._allowance = Allowance.full(MAX_MESSAGES_A_SECOND, now=monotonic())
+        self._errors = 0
+        self._session = Session(id="")
+
+    async def write(self) -> None:
+        """Send what is in the outbox until the socket is closed."""
+        try:
+            while True:
+                for item in await self.outbox.get():
+                    await self._send(item)
+                    if isinstance(item, Close):
+                        return
+        except WebSocketDisconnect:
+            return  # the reader hears of it too, and ends the connection
+
+    async def hello(self) -> Hello | None:
+        """The first message; None if the socket closes before there is one."""
+        while (message := await self.receive()) is not None:
+            if isinstance(message, Hello):
+                return message
+            self._refuse(Problem(code="bad_message", text="Say hello first.", path="$.type"))
+        return None
+
+    async def talk(self, session: Session, hello: Hello) -> None:
+        """Serve the session until the socket closes."""
+        self._session = session
+        await self._take(greet(session, hello, lists=self._world.lists))
+        while (message := await self.receive()) is not None:
+            try:
+                await self._take(handle(self._session, message, self._world.words))
+            except Exception:
+                log.exception("A message could not be handled")
+                self.outbox.put(_internal(getattr(message, "seq", None)))
+
+    async def receive(self) -> ClientMessage | None:
+        """The next well-formed message; None once the socket is closed."""
+        while True:
+            await self.outbox.has_room()
+            event = await self._websocket.receive()
+            if event["type"] == "websocket.disconnect":
+                return None
+            if self.over:
+                continue
+            message = _message(event.get("text"))
+            if not self._allowance.take(now=monotonic()):
+                message = _too_fast(message)
+            if not isinstance(message, Problem):
+                return message
+            self._refuse(message)
+
+    def close(self, code: int, reason: str) -> None:
+        """Close the socket behind what waits in the outbox."""
+        self.over = True
+        self.outbox.put(Close(code, reason))
+
+    def _refuse(self, problem: Problem) -> None:
+        """Answer a bad frame; too many of them end the connection."""
+        self.outbox.put(problem)
+        self._errors += 1
+        if self._errors >= MAX_ERRORS:
+            self.close(CLOSE_TOO_MANY_ERRORS, "Too many broken messages; reload the page.")
+
+    async def _take(self, step: Step) -> None:
+        """Go on to the next session and carry out what it wants."""
+        self._session, effects = step
+        for effect in effects:
+            if isinstance(effect, Save):
+                await self._store.save(effect.session, Stored(effect.revision, effect.scene))
+            else:
+                self._begin(effect)
+
+    def _take_result(self, step: ResultStep) -> None:
+        self._session, deeds = step
+        for deed in deeds:
+            self._begin(deed)
+
+    def _begin(self, deed: Deed) -> None:
+        world = self._world
+        match deed:
+            case Send():
+                self.outbox.put(deed.message)
+            case SendAnswer():
+                self.outbox.put(*deed.maps, deed.answer)
+            case Push():
+                glb = world.assets.get(deed.digest)
+                if glb is not None:
+                    self.outbox.put(Binary(AssetHeader(digest=deed.digest), glb))
+            case Furnish():
+                self._submit("furnish", partial(make_models, world, deed), furnished)
+            case Solve():
+                self._submit("solve", partial(solve_ask, world, deed), solved)
+            case StopSolving():
+                self._engine.abandon(self._session.id, "solve")
+            case Examine():
+                self._submit("examine", partial(examine, deed), examined)
+            case DrawGraph():
+                self._submit("graph", partial(draw_graph, world, deed), graphed)
+            case _:
+                assert_never(deed)
+
+    def _submit(
+        self,
+        kind: str,
+        work: Callable[[Cancel], T],
+        step: Callable[[Session, T], ResultStep],
+    ) -> None:
+        """Have work done; its result is the session's next step."""
+        if self.over:
+            return  # the session may belong to another connection by now
+        self._engine.submit(
+            self._session.id,
+            kind,
+            work,
+            done=lambda result: self._take_result(step(self._session, result)),
+            failed=self._failed,
+        )
+
+    def _failed(self, error: Exception) -> None:
+        if isinstance(error, SceneGenError):
+            self.outbox.put(Problem(code="bad_query", text=str(error)))
+        else:
+            log.error("Work for a session failed", exc_info=error)
+            self.outbox.put(_internal(None))
+
+    async def _send(self, item: Frame) -> None:
+        match item:
+            case Close():
+                await self._websocket.close(item.code, item.reason)
+            case Binary():
+                await self._websocket.send_bytes(frame(item.header, item.payload))
+            case _:
+                await self._websocket.send_text(encode(item))
+
+
+def _message(text: str | None) -> ClientMessage | Problem:
+    if text is None:
+        return Problem(code="bad_message", text="Pages send text; send messages as JSON.")
+    return decode(text)
+
+
+def _too_fast(message: ClientMessage | Problem) -> Problem:
+    return Problem(
+        code="too_fast",
+        text=f"More than {MAX_MESSAGES_A_SECOND} messages a second; wait a little, send it again.",
+        seq=getattr(message, "seq", None),
+    )
+
+
+def _internal(seq: int | None) -> Problem:
+    text = "Something went wrong here; the log of the server says what. Try again."
+    return Problem(code="internal", text=text, seq=seq)

@@ -1,0 +1,88 @@
+"""What a session wants done: values that ``live.py`` carries out, in order."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from scenegen_core.placement.solve import Solution
+from scenegen_core.scene.model import Scene
+from server.looks import Look
+from server.protocol import Answer, Inspect, Query, ServerMessage
+from server.wire import Binary
+
+
+@dataclass(frozen=True, slots=True)
+class Save:
+    """Store the scene; the effects after it wait until that has happened."""
+
+    session: str
+    revision: int
+    scene: Scene
+
+
+@dataclass(frozen=True, slots=True)
+class Send:
+    """Send a message."""
+
+    message: ServerMessage
+
+
+@dataclass(frozen=True, slots=True)
+class SendAnswer:
+    """Send an answer behind its heat maps, all of them or none."""
+
+    answer: Answer
+    maps: tuple[Binary, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Push:
+    """Send the bytes of a model."""
+
+    digest: str
+
+
+@dataclass(frozen=True, slots=True)
+class Furnish:
+    """Make the models of these boxes."""
+
+    revision: int
+    looks: dict[str, Look]
+
+
+@dataclass(frozen=True, slots=True)
+class Solve:
+    """Answer an ask."""
+
+    ask: str
+    query: Query
+    revision: int
+    scene: Scene
+
+
+@dataclass(frozen=True, slots=True)
+class StopSolving:
+    """Nobody waits for the answer any more."""
+
+
+@dataclass(frozen=True, slots=True)
+class Examine:
+    """Say what the solution thinks of a pose."""
+
+    solution: Solution
+    inspect: Inspect
+    ask: str
+    revision: int
+
+
+@dataclass(frozen=True, slots=True)
+class DrawGraph:
+    """Make the scene graph."""
+
+    revision: int
+    scene: Scene
+
+
+Deed = Send | SendAnswer | Push | Furnish | Solve | StopSolving | Examine | DrawGraph
+"""What is begun at once and waits for nothing."""
+Effect = Save | Deed

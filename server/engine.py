@@ -1,0 +1,132 @@
+"""Work off the event loop: newest wins, fair among sessions."""
+
+from __future__ import annotations
+
+import asyncio
+from collections.abc import Callable
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass
+from functools import partial
+from threading import Event
+from typing import TypeVar
+
+from scenegen_core.placement.answer import Cancelled
+
+T = TypeVar("T")
+Cancel = Callable[[], bool]
+"""Says whether the work is superseded; long work asks it now and then."""
+Then = Callable[[], None]
+"""What is to be done on the event loop when the work is over."""
+
+WORKERS = 2  # threads; one long answer must not keep everybody else waiting
+
+
+@dataclass(frozen=True, slots=True)
+class Job:
+    """Work for a session."""
+
+    session: str
+    kind: str
+    run: Callable[[], Then]
+    superseded: Event
+
+
+class Engine:
+    """Runs jobs on a few threads; of one session and kind only the newest counts.
+
+    A newer job replaces the one that waits and tells the one that runs to stop; what that still
+    returns is dropped. Sessions take turns. All methods belong to the event loop.
+    """
+
+    def __init__(self, workers: int = WORKERS) -> None:
+        self._pool = ThreadPoolExecutor(workers, thread_name_prefix="engine")
+        self._free = workers
+        self._waiting: dict[str, dict[str, Job]] = {}  # by session in turn, then by kind
+        self._running: dict[tuple[str, str], Job] = {}
+        self._tasks: set[asyncio.Task[None]] = set()
+
+    def submit(
+        self,
+        session: str,
+        kind: str,
+        work: Callable[[Cancel], T],
+        *,
+        done: Callable[[T], None],
+        failed: Callable[[Exception], None],
+    ) -> None:
+        """Do this work instead of older work of the session and kind.
+
+        ``done`` or ``failed`` is called on the event loop, unless newer work came in between.
+        """
+        self.abandon(session, kind)
+        superseded = Event()
+        run = partial(_run, work, superseded.is_set, done, failed)
+        self._waiting.setdefault(session, {})[kind] = Job(session, kind, run, superseded)
+        self._start()
+
+    def abandon(self, session: str, kind: str) -> None:
+        """Nobody waits for that kind of work any more."""
+        self._waiting.get(session, {}).pop(kind, None)
+        running = self._running.pop((session, kind), None)
+        if running is not None:
+            running.superseded.set()
+
+    def forget(self, session: str) -> None:
+        """The session is gone."""
+        self._waiting.pop(session, None)
+        for kind in [kind for owner, kind in self._running if owner == session]:
+            self.abandon(session, kind)
+
+    async def close(self) -> None:
+        """Stop all work and wait until the threads are idle."""
+        for session in {*self._waiting, *(owner for owner, _ in self._running)}:
+            self.forget(session)
+        await asyncio.gather(*self._tasks)
+        self._pool.shutdown()
+
+    def _start(self) -> None:
+        """Give the free threads the next jobs."""
+        while self._free and (job := self._next()) is not None:
+            self._free -= 1
+            self._running[job.session, job.kind] = job
+            task = asyncio.create_task(self._finish(job))
+            self._tasks.add(task)
+            task.add_done_callback(self._tasks.discard)
+
+    def _next(self) -> Job | None:
+        """The oldest job of the session whose turn it is; then it is the others' turn."""
+        while self._waiting:
+            session = next(iter(self._waiting))
+            jobs = self._waiting.pop(session)
+            if jobs:
+                job = jobs.pop(next(iter(jobs)))
+                self._waiting[session] = jobs
+                return job
+        return None
+
+    async def _finish(self, job: Job) -> None:
+        then = await asyncio.get_running_loop().run_in_executor(self._pool, job.run)
+        self._free += 1
+        if self._running.get((job.session, job.kind)) is job:
+            del self._running[job.session, job.kind]
+            then()
+        self._start()
+
+
+def _run(
+    work: Callable[[Cancel], T],
+    cancelled: Cancel,
+    done: Callable[[T], None],
+    failed: Callable[[Exception], None],
+) -> Then:
+    """Do the work on this thread."""
+    try:
+        return partial(done, work(cancelled))
+    except Cancelled:
+        return _nothing
+    except Exception as error:  # noqa: BLE001 (whatever it is, the page must hear of it)
+        return partial(failed, error)
+
+
+def _nothing() -> None:
+    pass

@@ -1,0 +1,227 @@
+"""A session as a value: ``(session, message) -> (session, effects)``; no sockets, no threads.
+
+The page is the truth for its scene: every well-formed edit is taken as it is, boxes outside the
+room too (a phone may draw the walls later).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, field, replace
+from typing import assert_never
+
+from msgspec.structs import replace as replace_fields
+
+from scenegen_core.placement.solve import Solution
+from scenegen_core.scene.files import record_of
+from scenegen_core.scene.model import Scene
+from server.edits import Edit, Vocabulary, edited, wrong_query
+from server.effects import (
+    Deed,
+    DrawGraph,
+    Effect,
+    Examine,
+    Furnish,
+    Push,
+    Save,
+    Send,
+    SendAnswer,
+    Solve,
+    StopSolving,
+)
+from server.looks import Look, look_of
+from server.protocol import (
+    Ack,
+    Ask,
+    ClientMessage,
+    Graph,
+    Hello,
+    Inspect,
+    Inspected,
+    Models,
+    Ping,
+    Pong,
+    Problem,
+    PutBox,
+    PutRoom,
+    PutScene,
+    RemoveBox,
+    WatchGraph,
+    Welcome,
+)
+from server.results import Furnished, Solved
+
+
+@dataclass(frozen=True, slots=True)
+class Session:
+    """What the server holds for a page while its socket is open."""
+
+    id: str
+    revision: int = 0
+    scene: Scene | None = None
+    """None until the page has sent a room."""
+    assets: frozenset[str] = frozenset()
+    """Models that the page has."""
+    looks: Mapping[str, Look] = field(default_factory=dict)
+    """Boxes whose model the page was told, and how they looked then."""
+    ask: Ask | None = None
+    solution: Solution | None = None
+    """Of the ask, for the scene as it is; None while it is being computed."""
+    inspect: Inspect | None = None
+    """A pose that waits for the solution."""
+    watching: bool = False
+    """Whether the page wants the graph."""
+
+
+Step = tuple[Session, tuple[Effect, ...]]
+ResultStep = tuple[Session, tuple[Deed, ...]]
+"""What comes of a result never has to be stored."""
+
+
+def greet(session: Session, hello: Hello, *, lists: Welcome) -> Step:
+    """The first step on a socket; ``lists`` is a welcome without what is the session's own."""
+    resumed = hello.session == session.id
+    known = resumed and hello.revision == session.revision
+    welcome = replace_fields(
+        lists,
+        session=session.id,
+        revision=session.revision,
+        resumed=resumed,
+        scene=None if known or session.scene is None else record_of(session.scene),
+    )
+    greeted = replace(session, assets=frozenset(hello.assets))
+    return greeted, (Send(welcome), *_furnish(greeted))
+
+
+def handle(session: Session, message: ClientMessage, words: Vocabulary) -> Step:
+    """What a message of the page does."""
+    match message:
+        case PutScene() | PutRoom() | PutBox() | RemoveBox():
+            return _edit(session, message, words)
+        case Ask():
+            return _ask(session, message, words)
+        case Inspect():
+            return _inspect(session, message)
+        case WatchGraph():
+            watching = replace(session, watching=message.on)
+            return watching, _draw_graph(watching)
+        case Ping():
+            return session, (Send(Pong(nonce=message.nonce)),)
+        case Hello():
+            text = "This socket has said hello already; open another one to start again."
+            return session, (Send(Problem(code="bad_message", text=text, path="$.type")),)
+        case _:
+            assert_never(message)
+
+
+def furnished(session: Session, result: Furnished) -> ResultStep:
+    """Models are ready; those of boxes that look different by now are dropped."""
+    wanted = _wanted_looks(session)
+    ready = {box: made for box, made in result.models.items() if wanted.get(box) == made[0]}
+    if not ready:
+        return session, ()
+    digests = {box: digest for box, (_, digest) in ready.items()}
+    looks = {**session.looks, **{box: look for box, (look, _) in ready.items()}}
+    session, pushes = _push(replace(session, looks=looks), digests.values())
+    return session, (*pushes, Send(Models(revision=result.revision, boxes=digests)))
+
+
+def solved(session: Session, result: Solved) -> ResultStep:
+    """An answer is ready; dropped if it is not for the ask and the scene as they are."""
+    ask, answer, waiting = session.ask, result.answer, session.inspect
+    if ask is None or (answer.ask, answer.revision) != (ask.id, session.revision):
+        return session, ()
+    session = replace(session, solution=result.solution, inspect=None)
+    examine = () if waiting is None else _examine(session, waiting)
+    session, pushes = _push(session, (answer.asset,))
+    return session, (*pushes, SendAnswer(answer, result.maps), *examine)
+
+
+def examined(session: Session, message: Inspected) -> ResultStep:
+    """What the solution thinks of a pose; dropped if it is stale."""
+    current = session.ask is not None and message.ask == session.ask.id
+    return session, (Send(message),) if current and message.revision == session.revision else ()
+
+
+def graphed(session: Session, message: Graph) -> ResultStep:
+    """A scene graph is ready; dropped if it is stale."""
+    current = session.watching and message.revision == session.revision
+    return session, (Send(message),) if current else ()
+
+
+def _edit(session: Session, edit: Edit, words: Vocabulary) -> Step:
+    scene = edited(session.scene, edit, words)
+    if isinstance(scene, Problem):
+        return session, (Send(scene),)
+    if scene is None:  # a box was removed from no room
+        return session, (Send(Ack(seq=edit.seq, revision=session.revision)),)
+    session = replace(
+        session,
+        revision=session.revision + 1,
+        scene=scene,
+        looks={box: look for box, look in session.looks.items() if box in scene},
+        solution=None,
+    )
+    return session, (
+        Save(session.id, session.revision, scene),
+        Send(Ack(seq=edit.seq, revision=session.revision)),
+        *_furnish(session),
+        *_solve(session),
+        *_draw_graph(session),
+    )
+
+
+def _ask(session: Session, ask: Ask, words: Vocabulary) -> Step:
+    if ask.query is None:
+        stopped = replace(session, ask=None, solution=None, inspect=None)
+        return stopped, (StopSolving(),)
+    problem = wrong_query(ask.query, words)
+    if problem is not None:
+        return session, (Send(problem),)
+    session = replace(session, ask=ask, solution=None, inspect=None)
+    return session, _solve(session)
+
+
+def _inspect(session: Session, inspect: Inspect) -> Step:
+    if session.ask is None:
+        text = "There is nothing to be placed yet; ask first."
+        return session, (Send(Problem(code="bad_query", text=text, path="$.type")),)
+    if session.solution is None:
+        return replace(session, inspect=inspect), ()
+    return session, _examine(session, inspect)
+
+
+def _examine(session: Session, inspect: Inspect) -> tuple[Deed, ...]:
+    assert session.ask is not None
+    assert session.solution is not None
+    return (Examine(session.solution, inspect, session.ask.id, session.revision),)
+
+
+def _solve(session: Session) -> tuple[Deed, ...]:
+    if session.ask is None or session.ask.query is None or session.scene is None:
+        return ()
+    return (Solve(session.ask.id, session.ask.query, session.revision, session.scene),)
+
+
+def _draw_graph(session: Session) -> tuple[Deed, ...]:
+    if session.scene is None or not session.watching:
+        return ()
+    return (DrawGraph(session.revision, session.scene),)
+
+
+def _furnish(session: Session) -> tuple[Deed, ...]:
+    """The models to be made: also those still in the making, since newer work replaces older."""
+    wanted = _wanted_looks(session).items()
+    looks = {box: look for box, look in wanted if session.looks.get(box) != look}
+    return (Furnish(session.revision, looks),) if looks else ()
+
+
+def _wanted_looks(session: Session) -> dict[str, Look]:
+    boxes = () if session.scene is None else session.scene.boxes
+    return {box.id: look_of(box) for box in boxes}
+
+
+def _push(session: Session, digests: Iterable[str]) -> tuple[Session, tuple[Deed, ...]]:
+    """Send the models that the page lacks, once."""
+    new = tuple(digest for digest in dict.fromkeys(digests) if digest not in session.assets)
+    return replace(session, assets=session.assets.union(new)), tuple(map(Push, new))

@@ -1,0 +1,37 @@
+"""What a server is started with."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from ipaddress import ip_address
+from pathlib import Path
+
+from server.generated import ROOT
+
+PAGE = ROOT / "web" / "dist"
+STORE = Path("var") / "sessions.sqlite3"
+LOCAL_NAMES = ("localhost", "127.0.0.1", "::1")
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Settings:
+    """The arguments of ``scenegen serve``."""
+
+    host: str = "127.0.0.1"
+    port: int = 8000
+    """0 takes any that is free."""
+    knowledge: Path | None = None
+    """None for the knowledge that ships with the program."""
+    catalogue: Path | None = None
+    """A directory of GLB files; None for no catalogue."""
+    store: Path = STORE
+    page: Path = PAGE
+    """The built page."""
+
+    @property
+    def loopback(self) -> bool:
+        """Whether only this machine can reach the server."""
+        try:
+            return ip_address(self.host).is_loopback
+        except ValueError:
+            return self.host == "localhost"

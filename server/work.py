@@ -1,0 +1,65 @@
+"""The work that sessions want done, off the event loop: functions of effects and the world."""
+
+from __future__ import annotations
+
+from time import perf_counter
+
+from scenegen_core.graph.scene_graph import scene_graph
+from scenegen_core.placement.answer import Cancelled
+from scenegen_core.placement.solve import solve
+from server.effects import DrawGraph, Examine, Furnish, Solve
+from server.engine import Cancel
+from server.looks import look
+from server.protocol import Graph, Inspected
+from server.results import Furnished, Solved
+from server.translate import (
+    answer_message,
+    graph_message,
+    heat_map_frame,
+    inspected_message,
+    query_of,
+)
+from server.world import World
+
+
+def solve_ask(world: World, wish: Solve, cancelled: Cancel) -> Solved:
+    """Placements, heat maps and the model of the object."""
+    begin = perf_counter()
+    query = query_of(wish.query, world.catalogue)
+    solution = solve(wish.scene, query, world.knowledge, cancelled=cancelled)
+    found = solution.answer
+    asset = world.assets.digest(look(found.category, found.size, item=wish.query.item))
+    answer = answer_message(
+        found,
+        ask=wish.ask,
+        revision=wish.revision,
+        asset=asset,
+        elapsed=perf_counter() - begin,
+    )
+    maps = tuple(
+        heat_map_frame(heat_map, ask=wish.ask, revision=wish.revision)
+        for heat_map in found.heat_maps
+    )
+    return Solved(solution, answer, maps)
+
+
+def make_models(world: World, wish: Furnish, cancelled: Cancel) -> Furnished:
+    """The models of boxes."""
+    models = {}
+    for box, wanted in wish.looks.items():
+        if cancelled():
+            raise Cancelled
+        models[box] = wanted, world.assets.digest(wanted)
+    return Furnished(wish.revision, models)
+
+
+def examine(wish: Examine, _: Cancel) -> Inspected:
+    """What the solution thinks of a pose."""
+    inspection = wish.solution.inspect(wish.inspect.center, wish.inspect.heading)
+    return inspected_message(inspection, inspect=wish.inspect, ask=wish.ask, revision=wish.revision)
+
+
+def draw_graph(world: World, wish: DrawGraph, _: Cancel) -> Graph:
+    """The scene graph."""
+    graph = scene_graph(wish.scene, world.knowledge.groups)
+    return graph_message(graph, revision=wish.revision)
