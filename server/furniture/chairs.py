@@ -45,17 +45,10 @@ def chair(w: float, h: float, d: float) -> Parts:
         cushion((-w / 2, w / 2), (seat - 0.03, seat + 0.025), (-d / 2 + 0.03, d / 2), 0.05, 0.015),
     )
     for side in (-1, 1):
-        yield (
-            OAK,
-            tube(
-                (side * (x - 0.02), seat - 0.05, -z + 0.02),
-                (side * (x - 0.01), 0.95 * h, -d / 2 + 0.03),
-                0.019,
-                0.014,
-            ),
-        )
-    back = cushion((-w / 2, w / 2), (0.7 * h, h), (-d / 2, -d / 2 + 0.05), 0.02, 0.01, axis=2)
-    yield OAK, back
+        foot, head = (side * (x - 0.02), seat - 0.05, -z + 0.02), (side * (x - 0.02), 0.95 * h)
+        yield OAK, tube(foot, (*head, -d / 2 + 0.014), 0.019, 0.014)
+    back = (-d / 2 + 0.018, -d / 2 + 0.06)
+    yield OAK, cushion((-w / 2, w / 2), (0.7 * h, h), back, 0.018, 0.006, axis=2)
 
 
 def armchair(w: float, h: float, d: float) -> Parts:

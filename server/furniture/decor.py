@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from math import cos, pi, sin
 
 from scenegen_core.scene.model import Vector3
@@ -16,6 +17,7 @@ from server.furniture.materials import (
     STONEWARE,
     TERRACOTTA,
     WOOL,
+    linear,
 )
 from server.furniture.parts import block, lathe, leaf, tube
 
@@ -23,6 +25,7 @@ RUG_HEIGHT = 0.05  # metres
 THIN = 4.0  # height over width; taller things that thin are floor lamps
 TALL = 0.6  # metres; what is taller stands on the floor
 LEAVES = 34
+GREENS = tuple(linear(color) for color in ("#7f9c66", "#6b8c58", "#90ab74", "#5f8052", "#86a06f"))
 
 
 def choose(size: Vector3, label: str) -> Design:
@@ -72,7 +75,8 @@ def plant(w: float, h: float, d: float) -> Parts:
         )
         base = (0.3 * r * sin(turn), 0.9 * pot, 0.3 * r * cos(turn))
         droop = 0.25 * (h - pot) * spread * (1 - 0.5 * rise)
-        yield LEAF, leaf(base, tip, 0.13 * (h - pot) + 0.02, droop)
+        blade = leaf(base, tip, 0.15 * (h - pot) + 0.02, droop)
+        yield LEAF, replace(blade, color=GREENS[number % len(GREENS)])
 
 
 def floor_lamp(w: float, h: float, d: float) -> Parts:

@@ -20,7 +20,7 @@ Document = dict[str, Any]
 MAGIC, VERSION = 0x46546C67, 2  # "glTF"
 JSON_CHUNK, BINARY_CHUNK = 0x4E4F534A, 0x004E4942
 HEADER_BYTES, CHUNK_BYTES = 12, 8
-FLOAT, UNSIGNED_BYTE, UNSIGNED_SHORT, UNSIGNED_INT = 5126, 5121, 5123, 5125
+FLOAT, UNSIGNED_SHORT, UNSIGNED_INT = 5126, 5123, 5125
 VERTICES, INDICES = 34962, 34963
 ASSET = {"version": "2.0", "generator": "SceneGen", "copyright": "CC0-1.0, made by SceneGen"}
 
@@ -133,10 +133,10 @@ class Packer:
 
     def _colors(self, values: Floats) -> int:
         rgba = np.concatenate([values, np.ones((len(values), 1))], axis=1)
-        array = np.rint(rgba * 255).astype("u1")
+        array = np.rint(rgba * 0xFFFF).astype("<u2")
         return self._accessor(
             {
-                "componentType": UNSIGNED_BYTE,
+                "componentType": UNSIGNED_SHORT,
                 "normalized": True,
                 "count": len(array),
                 "type": "VEC4",

@@ -9,7 +9,6 @@ from server.furniture.materials import (
     GRAPHITE,
     MATTE_WHITE,
     OAK,
-    SCREEN,
     STEEL,
     WARM_GREY,
 )
@@ -45,7 +44,7 @@ def washing_machine(w: float, h: float, d: float) -> Parts:
     yield MATTE_WHITE, block((-w / 2, w / 2), (0, h), (-d / 2, d / 2 - 0.02), 0.015)
     ring = lathe([(0, 0), (r, 0), (1.0 * r, 0.012), (0.9 * r, 0.02), (0.72 * r, 0.012)], sides=28)
     glass = lathe([(0.75 * r, 0.01), (0.5 * r, 0.004), (0, 0.002)], sides=28)
-    for material, mesh in ((STEEL, ring), (SCREEN, glass)):
+    for material, mesh in ((STEEL, ring), (GRAPHITE, glass)):
         front = mesh.leaning(1.5707963267948966, 0.0, 0.0)
         yield material, front.moved(y=y, z=d / 2 - 0.02)
     yield (

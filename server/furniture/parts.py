@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from functools import lru_cache
 from itertools import pairwise, product
-from math import pi
+from math import cos, pi, sin
 
 import numpy as np
 
@@ -44,18 +44,26 @@ def polygon(corners: list[tuple[float, float]], z: float) -> Mesh:
 
 
 def cushion(x: Span, y: Span, z: Span, radius: float, crown: float = 0.0, axis: int = 1) -> Mesh:
-    """A box with round edges whose two large sides bulge by ``crown`` along ``axis``."""
+    """A box with round edges whose side at the high end of ``axis`` bulges by ``crown``."""
     low, high = np.array([x, y, z]).T
     order = {0: [1, 0, 2], 1: [0, 1, 2], 2: [0, 2, 1]}[axis]
     half = ((high - low) / 2)[order]
     crown = min(crown, 0.6 * float(half[1]))
-    round_ = min(radius, 0.95 * float(half[[0, 2]].min()), float(half[1]) - crown)
-    points = _cushion_points(half, round_, crown)
-    faces = _loft_faces(len(points) // _CORNERS, _CORNERS)
+    round_ = min(radius, 0.7 * float(half[[0, 2]].min()), float(half[1]) - crown / 2)
+    signs, bends = _outline()
+    positions, normals = [], []
+    for inset, height, rise in _cushion_profile(half, round_, crown):
+        arc = max(round_ - inset, 0.3 * round_)
+        ring = signs * (half[[0, 2]] - inset - arc) + bends * arc
+        positions.append(np.insert(ring, 1, height, axis=1))
+        normals.append(np.insert(bends * cos(rise), 1, sin(rise), axis=1))
+    faces = _loft_faces(len(positions), len(signs))
     if axis != 1:  # two axes are swapped, which turns the faces over
         faces = faces[:, ::-1]
-    positions = points[:, order] + (low + high) / 2
-    return Mesh(positions, smooth_normals(positions, faces), faces)
+    middle = (low + high) / 2
+    return Mesh(
+        np.concatenate(positions)[:, order] + middle, np.concatenate(normals)[:, order], faces
+    )
 
 
 def lathe(
@@ -157,38 +165,38 @@ def _outward(positions: Floats, faces: Ints) -> Ints:
     return np.where(inward[:, None], faces[:, ::-1], faces)
 
 
-_CORNERS = 4 * (ARC_STEPS + 1)
+def _cushion_profile(half: Floats, radius: float, crown: float) -> list[tuple[float, float, float]]:
+    """From the bottom up: inset from the outline, height, and how far the normal looks up."""
+    low, top = -half[1], half[1] - crown
+    rows = [(0.6 * radius, low, -pi / 3), (0.0, low + 0.6 * radius, 0.0)]
+    rows += [(0.0, top - radius, 0.0), (0.29 * radius, top - 0.29 * radius, pi / 4)]
+    if crown == 0:
+        return [*rows, (radius, top, pi / 2)]
+    run = min(5 * crown, 0.6 * (float(half[[0, 2]].min()) - radius))
+    rows += [(radius, top, 0.38 * pi), (radius + 0.35 * run, top + 0.6 * crown, 0.44 * pi)]
+    return [*rows, (radius + run, half[1], pi / 2)]
 
 
-def _cushion_points(half: Floats, radius: float, crown: float) -> Floats:
-    """Rings from the bottom up round the middle axis, first and last shrunk to a point."""
-    turn = np.repeat(np.arange(4) * pi / 2, ARC_STEPS + 1) + np.tile(
-        np.linspace(0, pi / 2, ARC_STEPS + 1), 4
-    )
-    circle = np.stack([np.sin(turn), np.cos(turn)], axis=1)
-    quarter = np.repeat(np.arange(4) * pi / 2 + pi / 4, ARC_STEPS + 1)
-    corner = np.sign(np.stack([np.sin(quarter), np.cos(quarter)], axis=1))
-    inner = half[[0, 2]] - radius
-    rise = np.linspace(0, pi / 2, ARC_STEPS + 1)
-    rings = [corner * inner + circle * radius * np.cos(angle) for angle in rise]
-    heights = [half[1] - crown - radius + radius * np.sin(angle) for angle in rise]
-    rings += [rings[-1] * 0.6, rings[-1] * 0.0]
-    heights += [half[1] - 0.3 * crown, half[1]]
-    upper = [np.insert(ring, 1, y, axis=1) for ring, y in zip(rings, heights, strict=True)]
-    lower = [ring * (1, -1, 1) for ring in reversed(upper)]
-    return np.concatenate(lower + upper)
+@lru_cache
+def _outline() -> tuple[Floats, Floats]:
+    """Round a cushion: the sign of the corner and the way out (points, 2) at each point (x, z)."""
+    corners = (np.repeat(np.arange(4), ARC_STEPS + 1) + 0.5) * pi / 2
+    turns = (
+        np.repeat(np.arange(4), ARC_STEPS + 1) * pi + np.tile(np.linspace(0, pi, ARC_STEPS + 1), 4)
+    ) / 2
+    signs, bends = (np.stack([np.sin(turn), np.cos(turn)], axis=1) for turn in (corners, turns))
+    return np.sign(signs), bends
 
 
 @lru_cache
 def _loft_faces(rings: int, sides: int) -> Ints:
-    """Faces between rings one above the other, turning anticlockwise seen from above."""
-    faces = []
+    """Faces between rings one above the other, turning anticlockwise seen from above, and ends."""
+    last = (rings - 1) * sides
+    faces = [(0, i + 1, i) for i in range(1, sides - 1)]
+    faces += [(last, last + i, last + i + 1) for i in range(1, sides - 1)]
     for ring, corner in product(range(rings - 1), range(sides)):
         a, b = ring * sides + corner, ring * sides + (corner + 1) % sides
-        if ring > 0:
-            faces.append((a, b, b + sides))
-        if ring < rings - 2:
-            faces.append((a, b + sides, a + sides))
+        faces += [(a, b, b + sides), (a, b + sides, a + sides)]
     return np.array(faces)
 
 

@@ -5,14 +5,15 @@ Those for the wall are built like all others, standing at y = 0; the caller puts
 
 from __future__ import annotations
 
+from dataclasses import replace
 from hashlib import sha256
 from math import cos, pi, sin
 
 from scenegen_core.scene.model import Vector3
 from server.furniture.design import Design, Parts, named
-from server.furniture.materials import COTTON, GRAPHITE, MIRROR, OAK, PAINT, SCREEN, linear
+from server.furniture.materials import COTTON, GRAPHITE, MIRROR, OAK, PAINT, SCREEN, Color, linear
 from server.furniture.mesh import Mesh
-from server.furniture.parts import block, cushion, polygon
+from server.furniture.parts import Span, block, cushion, polygon
 
 PALETTES = tuple(
     tuple(linear(color) for color in colors)
@@ -24,6 +25,8 @@ PALETTES = tuple(
     )
 )
 """Ground, hill, hill, sun and line of a painting."""
+DARK = (linear("#23272b"), linear("#2c3136"))
+SILVER = (linear("#cdd8d8"), linear("#dbe4e3"))
 
 
 def choose_screen(*, wall: bool) -> Design:
@@ -50,17 +53,11 @@ def wall_screen(w: float, h: float, d: float) -> Parts:
 
 
 def _flat_screen(w: float, low: float, high: float, back: float, front: float) -> Parts:
-    edge = 0.012
+    rim = 0.012
     yield GRAPHITE, block((-w / 2, w / 2), (low, high), (back, front - 0.002), 0.006)
-    yield (
-        SCREEN,
-        block(
-            (-w / 2 + edge, w / 2 - edge),
-            (low + 1.6 * edge, high - edge),
-            (front - 0.006, front),
-            0.001,
-        ),
-    )
+    x, y = (-w / 2 + rim, w / 2 - rim), (low + 1.6 * rim, high - rim)
+    for mesh in _glossy(x, y, front - 0.0005, DARK):
+        yield SCREEN, mesh
 
 
 def picture(w: float, h: float, d: float) -> Parts:
@@ -83,12 +80,20 @@ def mirror(w: float, h: float, d: float) -> Parts:
     """A mirror in a thin frame."""
     rim = min(0.025, 0.06 * min(w, h))
     yield from _frame(w, h, d, rim)
-    yield (
-        MIRROR,
-        block(
-            (-w / 2 + rim / 2, w / 2 - rim / 2), (rim / 2, h - rim / 2), (-d / 2, 0.1 * d), 0.001
-        ),
-    )
+    for mesh in _glossy((-w / 2 + rim, w / 2 - rim), (rim, h - rim), 0.0, SILVER):
+        yield MIRROR, mesh
+
+
+def _glossy(x: Span, y: Span, z: float, tones: tuple[Color, Color]) -> list[Mesh]:
+    """A flat pane with a slanting reflection in its second tone."""
+    low, high = x[0] + 0.3 * (x[1] - x[0]), x[0] + 0.62 * (x[1] - x[0])
+    slant = min(0.3 * (x[1] - x[0]), 0.5 * (y[1] - y[0]))
+    band = [(low - slant, y[0]), (high - slant, y[0]), (high, y[1]), (low, y[1])]
+    pane = [(x[0], y[0]), (x[1], y[0]), (x[1], y[1]), (x[0], y[1])]
+    return [
+        replace(polygon(corners, z + lift), color=tone)
+        for corners, lift, tone in ((pane, 0.0, tones[0]), (band, 0.0005, tones[1]))
+    ]
 
 
 def _frame(w: float, h: float, d: float, rim: float) -> Parts:
@@ -114,7 +119,7 @@ def _painting(w: float, h: float, seed: str) -> list[Mesh]:
     layers = []
     for number, (color, corners) in enumerate(shapes):
         flat = polygon([(x * w, y * h) for x, y in corners], 0.0004 * number)
-        layers.append(Mesh(flat.positions, flat.normals, flat.faces, color))
+        layers.append(replace(flat, color=color))
     return layers
 
 

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+from math import copysign
+
 from scenegen_core.scene.model import Vector3
 from server.furniture.design import Design, Parts, legs, named
 from server.furniture.materials import LINEN, OAK, SAGE
 from server.furniture.mesh import Mesh
-from server.furniture.parts import cushion
+from server.furniture.parts import cushion, tube
 
 LEG = 0.12  # metres
 ARM = 0.17  # metres, width of an armrest
@@ -34,18 +36,26 @@ def straight(w: float, h: float, d: float) -> Parts:
     yield LINEN, cushion((-inner, inner), (LEG, 0.62 * seat), (-d / 2 + 0.02, d / 2 - 0.03), 0.03)
     yield LINEN, cushion((-inner, inner), (LEG, 0.93 * h), (-d / 2, -d / 2 + BACK), 0.05)
     yield from _seats(-inner, inner, seat, h, -d / 2 + BACK, d / 2)
-    yield SAGE, _throw(inner, seat, h, -d / 2 + BACK + 0.2)
+    yield SAGE, _throw(inner, seat, h, -d / 2 + BACK + 0.27)
 
 
 def corner(w: float, h: float, d: float) -> Parts:
     """A straight sofa along the back with a long seat towards the front at its right end."""
-    yield from legs(w / 2 - 0.1, d / 2 - 0.1, LEG + 0.03, thickness=0.045, material=OAK)
     deep = min(0.95, 0.62 * d)
     long = max(0.8, 0.32 * w)
     split = w / 2 - long
     front = -d / 2 + deep
     seat = 0.52 * h
     inner = -w / 2 + ARM
+    for x, z in (
+        (-w / 2, -d / 2),
+        (w / 2, -d / 2),
+        (-w / 2, front),
+        (w / 2, d / 2),
+        (split, d / 2),
+    ):
+        spot = (x - copysign(0.1, x), z - copysign(0.1, z))
+        yield OAK, tube((spot[0], 0, spot[1]), (spot[0], LEG + 0.03, spot[1]), 0.014, 0.022)
     yield LINEN, cushion((-w / 2, inner), (LEG, 0.74 * h), (-d / 2, front), 0.05, 0.01)
     yield LINEN, cushion((inner, split), (LEG, 0.62 * seat), (-d / 2, front - 0.03), 0.03)
     yield LINEN, cushion((split, w / 2), (LEG, 0.62 * seat), (-d / 2, d / 2 - 0.01), 0.03)
@@ -53,7 +63,7 @@ def corner(w: float, h: float, d: float) -> Parts:
     yield from _seats(inner, split, seat, h, -d / 2 + BACK, front)
     yield LINEN, cushion((split, w / 2), (0.6 * seat, seat), (-d / 2 + BACK, d / 2), 0.045, 0.02)
     yield LINEN, _back_cushion(split, w / 2, seat, h, -d / 2 + BACK)
-    yield SAGE, _throw(w / 2 - 0.05, seat, h, -d / 2 + BACK + 0.2)
+    yield SAGE, _throw(w / 2 - 0.05, seat, h, -d / 2 + BACK + 0.27)
 
 
 def _seats(left: float, right: float, seat: float, h: float, back: float, front: float) -> Parts:
@@ -76,7 +86,7 @@ def _throw(right: float, seat: float, h: float, z: float) -> Mesh:
     """A small pillow that leans in the right corner."""
     side = min(0.42, 0.5 * h)
     pillow = cushion(
-        (right - side, right - 0.02), (seat, seat + side), (z - 0.06, z + 0.07), 0.05, 0.05, axis=2
+        (right - side, right - 0.02), (seat, seat + side), (z - 0.04, z + 0.09), 0.05, 0.05, axis=2
     )
     return pillow.leaning(-0.3, seat, z).turned(-0.25, right - side / 2, z)
 
