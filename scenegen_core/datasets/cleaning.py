@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, replace
 from math import cos, sin
+from statistics import median
 
 from shapely import Polygon
 
@@ -24,11 +25,14 @@ AREAS = (3.0, 100.0)  # square metres; the paper took out outliers by hand and g
 THINNEST = 0.001  # metres; a box thinner than that was not measured
 OUTSIDE = 0.5  # share of the footprint; a box that is further out than that is a wrong box
 OUTLINE_ERROR = 0.1  # metres; pictures hang in the thickness that outlines take off the walls
+STANDING = ("Bed", "Chair", "Sofa", "Table")  # what stands on the floor, unless it is far above it
+FLOOR_ERROR = 0.3  # metres; undersides that near to z = 0 show where a source has its floor
+LEVEL = 0.02  # metres; a floor that near to z = 0 is left as it is
 
 
 @dataclass(frozen=True, slots=True)
 class Reductions:
-    """What was taken out, and what is left."""
+    """What was taken out or put right, and what is left."""
 
     other_room_types: int
     """Rooms of a type outside the set."""
@@ -40,6 +44,8 @@ class Reductions:
     """Boxes that lie mostly outside of their room."""
     empty_rooms: int
     """Rooms in which no box is left."""
+    uneven_floors: int
+    """Rooms whose floor was not at z = 0; they are kept, their boxes put on it."""
     rooms: int
     """Rooms that are left."""
     boxes: int
@@ -52,7 +58,7 @@ def clean(
     room_types: Iterable[str] = ROOM_TYPES,
     areas: tuple[float, float] = AREAS,
 ) -> tuple[tuple[Scene, ...], Reductions]:
-    """The scenes that are fit to learn from, without wrong boxes, and what was taken out.
+    """The scenes that are fit to learn from, without wrong boxes, and what was done to them.
 
     Room types are compared by their letters alone, and a room that holds one of the words counts:
     "LivingRoom/Kitchen" is a living room. ``areas``: least and most, square metres.
@@ -63,15 +69,17 @@ def clean(
     sized = [scene for scene in typed if areas[0] <= _outline(scene).area <= areas[1]]
     solid = [_keep(scene, _solid(scene)) for scene in sized]
     inside = [_keep(scene, _inside(scene)) for scene in solid]
-    furnished = tuple(scene for scene in inside if scene.boxes)
-    return furnished, Reductions(
+    furnished = [scene for scene in inside if scene.boxes]
+    level = tuple(_put_on_floor(scene) for scene in furnished)
+    return level, Reductions(
         other_room_types=len(everything) - len(typed),
         outlier_areas=len(typed) - len(sized),
         thin_boxes=_boxes(sized) - _boxes(solid),
         outside_boxes=_boxes(solid) - _boxes(inside),
         empty_rooms=len(inside) - len(furnished),
-        rooms=len(furnished),
-        boxes=_boxes(furnished),
+        uneven_floors=sum(one is not other for one, other in zip(furnished, level, strict=True)),
+        rooms=len(level),
+        boxes=_boxes(level),
     )
 
 
@@ -100,6 +108,24 @@ def _inside(scene: Scene) -> Iterator[Box]:
         footprint = _footprint(box)
         if footprint.difference(room).area <= OUTSIDE * footprint.area:
             yield box
+
+
+def _put_on_floor(scene: Scene) -> Scene:
+    """The scene with its boxes moved up or down so that what stands, stands at z = 0.
+
+    Some sources measure heights from under the floor (Robot@VirtualHome: from 0.1 m below).
+    """
+    bottoms = [box.bottom for box in scene.boxes if box.category in STANDING]
+    near = [bottom for bottom in bottoms if abs(bottom) <= FLOOR_ERROR]
+    floor = median(near) if near else 0.0
+    if abs(floor) <= LEVEL:
+        return scene
+    return _keep(scene, (_raised(box, -floor) for box in scene.boxes))
+
+
+def _raised(box: Box, by: float) -> Box:
+    x, y, z = box.center
+    return replace(box, center=(x, y, z + by))
 
 
 def _footprint(box: Box) -> Polygon:

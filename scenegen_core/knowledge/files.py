@@ -50,7 +50,10 @@ class _Version(Struct, frozen=True):
 
 
 def save_knowledge(knowledge: Knowledge, path: Path) -> None:
-    """Write a file that :func:`load_knowledge` reads; the same knowledge gives the same bytes."""
+    """Write a file that :func:`load_knowledge` reads; the same knowledge gives the same bytes.
+
+    KnowledgeError if it cannot be written there.
+    """
     parts = tuple(knowledge.categories.values())
     rooms = tuple(dict.fromkeys(room for part in parts for room in part.rooms))
     index = {room: i for i, room in enumerate(rooms)}
@@ -70,8 +73,13 @@ def save_knowledge(knowledge: Knowledge, path: Path) -> None:
         for name in ARRAYS:
             arrays[f"{number}.{name}"] = getattr(part, name)
         arrays[f"{number}.rooms"] = np.array([index[room] for room in part.rooms], dtype=np.int32)
-    with path.open("wb") as file:
-        np.savez_compressed(file, allow_pickle=False, **arrays)
+    try:
+        with path.open("wb") as file:
+            np.savez_compressed(file, allow_pickle=False, **arrays)
+    except OSError as error:
+        raise KnowledgeError(
+            f"Cannot write the knowledge to {path} ({error.strerror}); choose another file."
+        ) from error
 
 
 def load_knowledge(path: Path) -> Knowledge:

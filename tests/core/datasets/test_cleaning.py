@@ -88,3 +88,24 @@ def test_rooms_in_which_nothing_is_left_are_taken_out_and_counted() -> None:
     kept, reductions = clean([scene(), scene(replace(BED, size=(0.0, 0.0, 0.0)))])
     assert kept == ()
     assert (reductions.empty_rooms, reductions.rooms, reductions.boxes) == (2, 0, 0)
+
+
+def test_a_room_whose_floor_is_not_at_zero_is_put_on_it_with_all_that_is_in_it() -> None:
+    # the bed and the chair stand 0.1 m up, the table on a podium; the picture hangs as high above
+    raised = [
+        replace(BED, center=(2.0, 2.0, 0.4)),
+        Box("chair", "Chair", (1.0, 1.0, 0.6), (0.5, 0.5, 1.0)),
+        Box("table", "Table", (3.0, 3.0, 1.5), (0.5, 0.5, 1.0)),
+        Box("picture", "Picture", (3.98, 2.0, 1.6), (0.04, 0.6, 0.5)),
+    ]
+    (kept,), reductions = clean([scene(*raised)])
+    assert reductions.uneven_floors == 1
+    assert [box.bottom for box in kept.boxes] == pytest.approx([0, 0, 0.9, 1.25])
+
+
+def test_a_floor_that_is_nearly_at_zero_or_unknown_is_left_alone() -> None:
+    nearly = scene(replace(BED, center=(2.0, 2.0, 0.31)))
+    hanging = scene(Box("p", "Picture", (3.98, 2.0, 0.4), (0.04, 0.6, 0.5)))
+    kept, reductions = clean([nearly, hanging])
+    assert kept == (nearly, hanging)
+    assert reductions.uneven_floors == 0

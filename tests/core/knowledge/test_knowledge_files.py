@@ -92,6 +92,11 @@ def test_the_same_knowledge_gives_the_same_bytes(path: Path, tmp_path: Path) -> 
     assert again.read_bytes() == path.read_bytes()
 
 
+def test_a_place_that_cannot_be_written_is_named(tmp_path: Path, knowledge: Knowledge) -> None:
+    with pytest.raises(KnowledgeError, match=r"none/k\.npz.*choose another"):
+        save_knowledge(knowledge, tmp_path / "none" / "k.npz")
+
+
 def test_a_missing_file_says_how_to_make_one(tmp_path: Path) -> None:
     with pytest.raises(KnowledgeError, match=r"none\.npz.*scenegen learn"):
         load_knowledge(tmp_path / "none.npz")
