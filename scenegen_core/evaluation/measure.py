@@ -1,0 +1,89 @@
+"""What one system's answer to one case is worth, in metres, radians and hard facts."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from scenegen_core.evaluation.bench import Bench, Table, Task, spread
+from scenegen_core.evaluation.physical import physical
+from scenegen_core.evaluation.systems import System
+from scenegen_core.knowledge.knowledge import Knowledge
+from scenegen_core.placement.alternatives import APART, TIE, choose
+from scenegen_core.scene.geometry import Floats, Ints, wrapped
+from scenegen_core.scene.model import Symmetry
+
+OFFERED = 5
+
+Errors = dict[str, float]
+"""Measure -> error: top1, top5, spread5 (metres), angle (radians), or the physical facts (0, 1)."""
+
+
+@dataclass(frozen=True, slots=True)
+class Picks:
+    """The poses that an answer is judged by, as indices of its table."""
+
+    best: int
+    five: Ints
+    spread: Ints
+
+
+def errors(
+    system: System, task: Task, bench: Bench, knowledge: Knowledge, rng: np.random.Generator
+) -> Errors:
+    """The errors of a system in a task of a case."""
+    table = bench.table(task)
+    scores = np.full(len(table.candidates), -np.inf)
+    if system.feasible:
+        found = system.scores[task](bench, table, knowledge, rng)
+        scores[table.scored] = found + TIE * rng.random(len(found))
+    else:
+        scores = rng.random(len(table.candidates))
+    picks = _picks(system, task, bench, table, scores, rng)
+    facts: Errors = {}
+    truth = bench.case.box
+    away = np.hypot(*(table.candidates.centers[:, :2] - np.array(truth.center[:2])).T)
+    if task != "orientation":
+        facts["top1"] = float(away[picks.best])
+        facts["top5"] = float(away[picks.five].min())
+        facts["spread5"] = float(away[picks.spread].min())
+    if task != "position" and _has_front(bench):
+        facts["angle"] = float(abs(wrapped(table.candidates.headings[picks.best] - truth.heading)))
+    if task == "joint":
+        facts |= physical(bench, table.candidates.box(picks.best, "new"))
+    return facts
+
+
+def _picks(
+    system: System,
+    task: Task,
+    bench: Bench,
+    table: Table,
+    scores: Floats,
+    rng: np.random.Generator,
+) -> Picks:
+    """Best, best five, and five that differ; in the joint task as the program offers them."""
+    order = np.argsort(-scores, kind="stable")
+    _, first = np.unique(table.cells[order], return_index=True)
+    five = order[np.sort(first)[:OFFERED]]
+    differing = np.empty(0, dtype=np.int64)
+    if task == "joint" and system.feasible and table.proposals is not None:
+        differing = choose(
+            table.proposals,
+            scores,
+            bench.walking,
+            count=OFFERED,
+            rng=rng,
+            keep_going=lambda: None,
+        ).poses
+    if not len(differing):
+        differing = spread(table, scores, OFFERED, APART)
+    return Picks(int(differing[0]), five, differing)
+
+
+def _has_front(bench: Bench) -> bool:
+    """Is the true heading evidence about orientation?"""
+    box = bench.case.box
+    asymmetric = bench.category.symmetry is Symmetry.ASYMMETRIC
+    return asymmetric and box.front_known and not box.front_from_wall
