@@ -171,9 +171,9 @@ def box_record(box: Box) -> BoxRecord:
 
 
 def _outline(corners: tuple[PointRecord, ...]) -> tuple[PointRecord, ...]:
-    """The corners anticlockwise, without a repeated last one; SceneError if it is no room."""
-    if corners[0] == corners[-1]:
-        corners = corners[:-1]
+    """The corners anticlockwise, each once in a row; SceneError if it is no room."""
+    after = (*corners[1:], corners[0])
+    corners = tuple(corner for corner, other in zip(corners, after, strict=True) if corner != other)
     if len(corners) < 3:  # noqa: PLR2004 (a triangle)
         raise SceneError("The outline of the room has fewer than three corners; add some.")
     polygon = Polygon(corners)

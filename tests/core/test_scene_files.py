@@ -113,8 +113,8 @@ def test_an_outline_is_turned_anticlockwise() -> None:
     assert corners == ((4, 0), (4, 4), (0, 4), (0, 0))
 
 
-def test_a_repeated_last_corner_is_one_corner() -> None:
-    corners = read_scene(outline([0, 0], [4, 0], [4, 4], [0, 0])).room.corners
+def test_a_repeated_corner_is_one_corner() -> None:
+    corners = read_scene(outline([0, 0], [4, 0], [4, 0], [4, 4], [0, 0])).room.corners
     assert corners == ((0, 0), (4, 0), (4, 4))
 
 
@@ -128,6 +128,7 @@ BAD: dict[str, tuple[bytes, str]] = {
         outline([0, 0], [4, 4], [4, 0], [0, 4]),
         r"crosses or touches itself \(Self-intersection\[2 2\]\); move the corners",
     ),
+    "an outline of one corner": (outline([1, 1], [1, 1], [1, 1]), "fewer than three corners"),
     "a flat outline": (outline([0, 0], [4, 0], [8, 0]), "move the corners|check the outline"),
     "an outline in kilometres": (
         outline([0, 0], [0.004, 0], [0.004, 0.004], [0, 0.004]),
