@@ -2,12 +2,7 @@
 import { emptyScene, initialState } from "../../web/src/model/initial";
 import { reduce } from "../../web/src/model/reduce";
 import type { Action, State } from "../../web/src/model/state";
-import type {
-  Answer,
-  BoxRecord,
-  Placement,
-  SceneRecord,
-} from "../../web/src/net/protocol.gen";
+import type { Answer, BoxRecord, Placement, SceneRecord } from "../../web/src/net/protocol.gen";
 
 /** 5 m along x, 4 m along y, corner 0 at the origin. */
 export function room(boxes: readonly BoxRecord[] = []): SceneRecord {
@@ -15,14 +10,21 @@ export function room(boxes: readonly BoxRecord[] = []): SceneRecord {
 }
 
 export function box(id: string, change: Partial<BoxRecord> = {}): BoxRecord {
-  return { id, category: "Table", center: [2.5, 2, 0.4], size: [0.8, 1.2, 0.8], heading: 0, ...change };
+  return {
+    id,
+    category: "Table",
+    center: [2.5, 2, 0.4],
+    size: [0.8, 1.2, 0.8],
+    heading: 0,
+    ...change,
+  };
 }
 
 export function begin(boxes: readonly BoxRecord[] = []): State {
   return initialState(room(boxes));
 }
 
-export function after(state: State, ...actions: readonly Action[]): State {
+export function play(state: State, ...actions: readonly Action[]): State {
   return actions.reduce(reduce, state);
 }
 

@@ -1,5 +1,95 @@
+/** Wires the parts of the page together; each does its own work. */
+import { rememberedScene, rememberedSession, rememberSession, sceneKeeper } from "./memory";
 import { emptyScene, initialState } from "./model/initial";
-import { createStore } from "./store";
+import { AssetCache } from "./net/assets";
+import { Connection } from "./net/connection";
+import { Live } from "./net/live";
+import type { ClientMessage, SceneRecord } from "./net/protocol.gen";
+import { createServices, fetchRoom } from "./services";
+import { createStore, type Store } from "./store";
+import { mountUi } from "./ui/ui";
+import { Stage } from "./views/stage";
 
-const store = createStore(initialState(emptyScene("room-1"), Date.now()));
-console.info(store.getState().scene.name);
+const FIRST_ROOM = "living-room";
+const PROBES: readonly (readonly [EventTarget, string])[] = [
+  [document, "visibilitychange"],
+  [window, "pageshow"],
+  [window, "online"],
+];
+
+async function start(): Promise<void> {
+  const scene = rememberedScene() ?? (await firstScene());
+  const store = createStore(initialState(scene, Date.now()));
+  const assets = new AssetCache(fetchAsset);
+  const stage = new Stage(element("stage"), store.dispatch, assets);
+  const ui = mountUi(element("ui"), store.dispatch, createServices(store, stage));
+  const keep = sceneKeeper();
+  store.subscribe((state) => {
+    stage.show(state);
+    ui.show(state);
+    keep(state.scene);
+  });
+  stage.show(store.getState());
+  ui.show(store.getState());
+  connect(store, assets);
+}
+
+/** Keeps a socket to the server for as long as the page lives. */
+function connect(store: Store, assets: AssetCache): void {
+  const joined = takeSharedSession();
+  const live = new Live({
+    store,
+    assets,
+    send: (message: ClientMessage) => connection.send(message),
+    session: joined ?? rememberedSession(),
+    joining: joined !== null,
+    remember: rememberSession,
+  });
+  const connection = new Connection({
+    url: socketUrl(),
+    open: (url, subprotocol) => new WebSocket(url, subprotocol),
+    listener: live,
+    random: Math.random,
+  });
+  for (const [target, event] of PROBES) {
+    target.addEventListener(event, () => connection.probe());
+  }
+  connection.start();
+}
+
+/** The session of a shared link, taken out of the address so that a reload does not join again. */
+function takeSharedSession(): string | null {
+  const url = new URL(location.href);
+  const session = url.searchParams.get("session");
+  url.searchParams.delete("session");
+  if (session !== null) history.replaceState(null, "", url);
+  return session;
+}
+
+/** The socket beside the page, with whatever else its address says (the key of a network). */
+function socketUrl(): string {
+  const url = new URL(`/socket${location.search}`, location.href);
+  url.protocol = location.protocol === "https:" ? "wss:" : "ws:";
+  return url.href;
+}
+
+async function firstScene(): Promise<SceneRecord> {
+  return (await fetchRoom(FIRST_ROOM)) ?? emptyScene("room-1");
+}
+
+async function fetchAsset(digest: string): Promise<ArrayBuffer | null> {
+  try {
+    const response = await fetch(`/assets/${digest}.glb`);
+    return response.ok ? await response.arrayBuffer() : null;
+  } catch {
+    return null;
+  }
+}
+
+function element(id: string): HTMLElement {
+  const found = document.getElementById(id);
+  if (found === null) throw new Error(`The page has no element "${id}".`);
+  return found;
+}
+
+void start();
