@@ -11,6 +11,9 @@ from scenegen_core.errors import SceneGenError
 
 COMMANDS = {
     "serve": "open the page in a browser: draw a room, place furniture",
+    "place": "say where something would go in a room, and why",
+    "graph": "write the scene graph of a room",
+    "learn": "learn knowledge from files of rooms",
 }
 
 INTERRUPTED = 130  # the shell's code for a program that Ctrl+C ended
@@ -25,7 +28,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     commands = parser.add_subparsers(dest="command", required=True, metavar="command")
     for name, summary in COMMANDS.items():
         command = commands.add_parser(name, help=summary, description=summary)
-        if name in given:  # so that one command never waits for the imports of another
+        if given[:1] == [name]:  # so that one command never waits for the imports of another
             import_module(f"server.commands.{name}").add_arguments(command)
     options = parser.parse_args(given)
     try:
@@ -35,6 +38,9 @@ def main(arguments: Sequence[str] | None = None) -> int:
         return 2
     except KeyboardInterrupt:
         return INTERRUPTED
+    except BrokenPipeError:  # the reader of our output (head, less) has gone
+        sys.stdout = None  # type: ignore[assignment]
+        return 0
     return code
 
 

@@ -71,6 +71,7 @@ class Density:
     ) -> Density:
         """The density of examples (n, columns), n at least 1, with one kind a column.
 
+        Ordered columns hold whole numbers, in examples and in queries.
         ``fixed`` gives bandwidths by column; continuous columns with one may hold ABSENT. The
         others follow the rule of thumb 1.06 σ n^(−1/(4 + columns)). ``bandwidths="paper"`` leaves
         the ordered ones unbounded, as the paper does.
@@ -148,13 +149,16 @@ class Density:
     def _patterns(self, queries: Floats) -> list[tuple[NDArray[np.intp], NDArray[np.intp]]]:
         """Queries that miss the same groups, each set with the examples that disagree least."""
         absent = queries[:, self.can_be_absent] == ABSENT
-        patterns, inverse = np.unique(absent, axis=0, return_inverse=True)
         known = self.rows[:, self.can_be_absent] == ABSENT
+        left = np.arange(len(queries))
         pairs = []
-        for number, pattern in enumerate(patterns):
+        while len(left):
+            pattern = absent[left[0]]
+            alike = (absent[left] == pattern).all(axis=1)
             disagreements = np.count_nonzero(known != pattern, axis=1)
             members = np.flatnonzero(disagreements == disagreements.min())
-            pairs.append((np.flatnonzero(inverse.ravel() == number), members))
+            pairs.append((left[alike], members))
+            left = left[~alike]
         return pairs
 
     def _agreement(self, query: Floats, members: NDArray[np.intp]) -> Bools:
@@ -170,9 +174,11 @@ class Density:
         values, examples = queries[:, column], self.rows[members, column]
         width = float(self.bandwidths[column])
         if self.ordered[column]:
-            levels, codes = np.unique(values, return_inverse=True)
+            lowest = values.min()
+            levels = np.arange(lowest, values.max() + 1)
             table: Floats = _wang_ryzin(levels[:, None] - examples, width)
-            return table[codes]
+            looked_up: Floats = table[(values - lowest).astype(np.intp)]
+            return looked_up
         kernels: Floats = np.subtract.outer(values / width, examples / width)
         kernels *= kernels
         kernels *= -0.5

@@ -124,7 +124,8 @@ def _neighbor(situation: Situation) -> list[str]:
     if gap > NEIGHBOR:
         return []
     if gap < 0:
-        return [f"at the {spoken(box)}"]
+        over = situation.candidates.bottoms[0] >= box.top - AGAINST
+        return [f"above the {spoken(box)}" if over else f"at the {spoken(box)}"]
     return [
         f"next to the {spoken(box)}" if gap < BESIDE else f"{metres(gap)} from the {spoken(box)}"
     ]
