@@ -59,6 +59,12 @@ class Grid:
         column, row = place[:, 0].clip(0, columns - 1), place[:, 1].clip(0, rows - 1)
         return np.asarray(row * columns + column, dtype=np.int64)
 
+    def middles(self) -> Floats:
+        """The middle of every cell, row by row: (rows * columns, 2)."""
+        rows, columns = np.mgrid[: self.shape[0], : self.shape[1]]
+        corners = np.stack([columns.ravel(), rows.ravel()], axis=1)
+        return np.asarray((corners + 0.5) * self.cell + self.origin, dtype=np.float64)
+
 
 @dataclass(frozen=True, slots=True)
 class Proposals:
@@ -154,8 +160,7 @@ def _floor_poses(around: Surroundings, category: Category, size: Vector3) -> Ite
 def floor_points(around: Surroundings) -> Floats:
     """The middles of the floor cells inside the room: (n, 2)."""
     grid = _grid(around, Mount.FLOOR)
-    rows, columns = np.mgrid[: grid.shape[0], : grid.shape[1]]
-    points = (np.stack([columns.ravel(), rows.ravel()], axis=1) + 0.5) * grid.cell + grid.origin
+    points = grid.middles()
     room = shapely.Polygon(around.scene.room.corners)
     shapely.prepare(room)
     return np.asarray(points[shapely.contains_xy(room, points)], dtype=np.float64)
@@ -197,11 +202,12 @@ def _wall_poses(around: Surroundings, category: Category, size: Vector3) -> Iter
 def _top_poses(around: Surroundings, category: Category, size: Vector3) -> Iterator[Poses]:
     """On top of each box that carries such things, facing along its axes."""
     turns = np.arange(4) * (pi / 2) if category.symmetry is Symmetry.ASYMMETRIC else np.zeros(1)
+    grid = _grid(around, Mount.TOP)
     for index, box in enumerate(around.scene.boxes):
         if box.category not in SUPPORTS.get(category.name, ()) or box.top > REACHABLE_TOP:
             continue
         shape = around.footprints[np.array([index])]
-        points = _points_in(shape)
+        points = _points_on(shape, grid)
         facing_out = box.category == "Storage"  # a TV on a sideboard looks where its doors do
         headings = box.heading + (turns[:1] if facing_out else turns)
         repeated = np.repeat(points, len(headings), axis=0)
@@ -224,12 +230,11 @@ def stands_on(
     return np.asarray(over & inside, dtype=np.bool_)
 
 
-def _points_in(shape: Rectangles) -> Floats:
-    """A grid over one footprint, its middle included: (n, 2)."""
-    steps = [np.arange(-(half // CELL), half // CELL + 1) * CELL for half in shape.halves[0]]
-    along, across = np.meshgrid(*steps)
-    offsets = np.stack([along.ravel(), across.ravel()], axis=1)
-    return np.asarray(shape.centers[0] + offsets @ shape.axes[0], dtype=np.float64)
+def _points_on(shape: Rectangles, grid: Grid) -> Floats:
+    """The middle of one footprint, and the middles of the cells over it: (n, 2)."""
+    points = np.concatenate([shape.centers, grid.middles()])
+    along = (points[:, None, :] - shape.centers) @ shape.axes[0].T
+    return points[(np.abs(along[:, 0]) <= shape.halves[0]).all(axis=1)]
 
 
 def _raised(points: Floats, height: float) -> Floats:
