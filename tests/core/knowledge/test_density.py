@@ -6,7 +6,7 @@ from math import exp, log, pi
 
 import numpy as np
 import pytest
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 from hypothesis.extra.numpy import arrays
 from statsmodels.nonparametric.kernel_density import KDEMultivariate
@@ -52,6 +52,7 @@ def assert_equals_statsmodels(density: Density, queries: Floats) -> int:
     return int(there.sum())
 
 
+@settings(deadline=None)
 @given(examples_and_queries())
 def test_log_density_is_the_logarithm_of_statsmodels(
     case: tuple[Floats, Floats, list[Kind]],
@@ -62,6 +63,7 @@ def test_log_density_is_the_logarithm_of_statsmodels(
     assert_equals_statsmodels(density, queries)
 
 
+@settings(deadline=None)
 @given(examples_and_queries())
 def test_paper_bandwidths_are_the_normal_reference_of_statsmodels(
     case: tuple[Floats, Floats, list[Kind]],
@@ -187,6 +189,7 @@ class TestAbsentGroups:
         assert self.density.log_density(queries).tolist() == alone
 
 
+@settings(deadline=None)
 @given(examples_and_queries())
 def test_the_terms_of_the_columns_and_the_agreement_add_up_to_the_log_density(
     case: tuple[Floats, Floats, list[Kind]],
