@@ -234,7 +234,8 @@ def _points_on(shape: Rectangles, grid: Grid) -> Floats:
     """The middle of one footprint, and the middles of the cells over it: (n, 2)."""
     points = np.concatenate([shape.centers, grid.middles()])
     along = (points[:, None, :] - shape.centers) @ shape.axes[0].T
-    return points[(np.abs(along[:, 0]) <= shape.halves[0]).all(axis=1)]
+    over = (np.abs(along[:, 0]) <= shape.halves[0]).all(axis=1)
+    return np.asarray(points[over], dtype=np.float64)
 
 
 def _raised(points: Floats, height: float) -> Floats:
