@@ -35,8 +35,8 @@ class Material:
     opacity: float = 1.0
 
 
-OAK = Material("oak", linear("#c9a57b"), 0.6)
-WALNUT = Material("walnut", linear("#8a6447"), 0.55)
+OAK = Material("oak", linear("#c8a884"), 0.6)
+WALNUT = Material("walnut", linear("#876b57"), 0.55)
 LINEN = Material("linen", linear("#ddd3c3"), 0.95)
 WOOL = Material("wool", linear("#a9a59a"), 0.95)
 SAGE = Material("sage fabric", linear("#94a189"), 0.95)

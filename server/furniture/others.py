@@ -83,7 +83,7 @@ def toilet(w: float, h: float, d: float) -> Parts:
     )
     yield CERAMIC, block((-w / 2, w / 2), (0.45 * h, 0.96 * h), (-d / 2, -d / 2 + tank), 0.02)
     yield CERAMIC, block((-w / 2, w / 2), (0.95 * h, h), (-d / 2, -d / 2 + tank), 0.01)
-    yield CERAMIC, block((-0.25 * w, 0.25 * w), (0, 0.6 * h), (-d / 2 + 0.02, middle), 0.02)
+    yield CERAMIC, block((-0.25 * w, 0.25 * w), (0, 0.9 * seat), (-d / 2 + 0.02, middle), 0.02)
     yield (
         STEEL,
         lathe(

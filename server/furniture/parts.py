@@ -49,7 +49,7 @@ def cushion(x: Span, y: Span, z: Span, radius: float, crown: float = 0.0, axis: 
     order = {0: [1, 0, 2], 1: [0, 1, 2], 2: [0, 2, 1]}[axis]
     half = ((high - low) / 2)[order]
     crown = min(crown, 0.6 * float(half[1]))
-    round_ = min(radius, 0.7 * float(half[[0, 2]].min()), float(half[1]) - crown / 2)
+    round_ = min(radius, 0.6 * float(half[[0, 2]].min()), float(half[1]) - crown / 2)
     signs, bends = _outline()
     positions, normals = [], []
     for inset, height, rise in _cushion_profile(half, round_, crown):
@@ -172,7 +172,7 @@ def _cushion_profile(half: Floats, radius: float, crown: float) -> list[tuple[fl
     rows += [(0.0, top - radius, 0.0), (0.29 * radius, top - 0.29 * radius, pi / 4)]
     if crown == 0:
         return [*rows, (radius, top, pi / 2)]
-    run = min(5 * crown, 0.6 * (float(half[[0, 2]].min()) - radius))
+    run = min(5 * crown, 0.5 * (float(half[[0, 2]].min()) - radius))
     rows += [(radius, top, 0.38 * pi), (radius + 0.35 * run, top + 0.6 * crown, 0.44 * pi)]
     return [*rows, (radius + run, half[1], pi / 2)]
 
