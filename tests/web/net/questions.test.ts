@@ -1,0 +1,119 @@
+import { describe, expect, test } from "vitest";
+import type { Action, State } from "../../../web/src/model/state";
+import {
+  askedOf,
+  inspectionDone,
+  NO_QUESTIONS,
+  type Question,
+  type Questions,
+} from "../../../web/src/net/questions";
+import { answer, begin, play } from "../rooms";
+
+const place: Action = {
+  type: "place",
+  category: "Sofa",
+  item: null,
+  size: [0.9, 2, 0.8],
+  mode: "scenegen",
+  view: [2, 2],
+};
+const drag = (x: number): Action => ({
+  type: "drag-ghost",
+  pose: { center: [x, 2, 0.4], heading: 0 },
+  done: false,
+});
+const asking = play(begin(), place);
+const ask = asking.placing?.ask ?? "";
+const offered = play(asking, { type: "answer", answer: answer(ask, 1), heatMaps: [] });
+
+function questions(start: Questions, ...states: readonly State[]) {
+  const messages: Question[] = [];
+  let now = start;
+  for (const state of states) {
+    const step = askedOf(now, state);
+    now = step.questions;
+    messages.push(...step.messages);
+  }
+  return { now, messages };
+}
+
+describe("asking", () => {
+  test("an object on its way is asked about once", () => {
+    const { messages } = questions(NO_QUESTIONS, asking, asking, offered);
+    expect(messages).toEqual([
+      {
+        type: "ask",
+        id: ask,
+        query: { category: "Sofa", size: [0.9, 2, 0.8], item: null, model: "paper", count: 5 },
+      },
+    ]);
+  });
+
+  test("when it is let go the asking stops", () => {
+    const { messages } = questions(NO_QUESTIONS, asking, play(asking, { type: "cancel" }));
+    expect(messages.at(-1)).toEqual({ type: "ask", id: ask, query: null });
+  });
+
+  test("another size is asked about under another id", () => {
+    const bigger = play(offered, { type: "set-size", size: null });
+    const { messages } = questions(NO_QUESTIONS, offered, bigger);
+    expect(messages.at(-1)).toMatchObject({ type: "ask", query: { size: null } });
+    expect(messages).toHaveLength(2);
+  });
+
+  test("changing the mode asks nothing new", () => {
+    const manual = play(offered, { type: "set-mode", mode: "manual", view: [2, 2] });
+    expect(questions(NO_QUESTIONS, offered, manual).messages).toHaveLength(1);
+  });
+});
+
+describe("inspecting a dragged ghost", () => {
+  const { now: asked } = questions(NO_QUESTIONS, offered);
+
+  test("one pose at a time is asked about, and then the newest", () => {
+    const drags = [1, 1.5, 2].map((x) => play(offered, drag(x)));
+    const { now, messages } = questions(asked, ...drags);
+    expect(messages).toMatchObject([{ type: "inspect", center: [1, 2, 0.4], heading: 0 }]);
+    const [first] = messages;
+    const next = questions(
+      inspectionDone(now, first?.type === "inspect" ? first.id : ""),
+      ...drags.slice(-1),
+    );
+    expect(next.messages).toMatchObject([{ type: "inspect", center: [2, 2, 0.4] }]);
+  });
+
+  test("a pose that was asked about is not asked about again", () => {
+    const dragged = play(offered, drag(1));
+    const { now } = questions(asked, dragged);
+    expect(questions(inspectionDone(now, "inspect-1"), dragged).messages).toEqual([]);
+  });
+
+  test("a newer answer makes it ask again, even while the last is on its way", () => {
+    const dragged = play(offered, drag(1));
+    const { now } = questions(asked, dragged);
+    const newer = play(dragged, { type: "answer", answer: answer(ask, 2), heatMaps: [] });
+    expect(questions(now, newer).messages).toMatchObject([
+      { type: "inspect", center: [1, 2, 0.4] },
+    ]);
+  });
+
+  test("by hand nothing is asked about the place", () => {
+    const manual = play(offered, { type: "set-mode", mode: "manual", view: [2, 2] }, drag(1));
+    expect(questions(asked, manual).messages).toEqual([]);
+  });
+
+  test("on an alternative there is nothing to ask", () => {
+    expect(questions(asked, play(offered, { type: "show-alternative", rank: 2 })).messages).toEqual(
+      [],
+    );
+  });
+});
+
+test("the graph is watched while it is shown", () => {
+  const shown = play(begin(), { type: "toggle-layer", layer: "graph" });
+  const { messages } = questions(NO_QUESTIONS, begin(), shown, shown, begin());
+  expect(messages).toEqual([
+    { type: "watch_graph", on: true },
+    { type: "watch_graph", on: false },
+  ]);
+});
