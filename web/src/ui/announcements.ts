@@ -1,7 +1,7 @@
 /** What a screen reader is told when the state changes. */
 import type { State } from "../model/state";
 import { boxInWords, placedInWords, sceneInWords } from "./whereabouts";
-import { counted, inSentence } from "./words";
+import { counted, ended, inSentence } from "./words";
 
 /** The sentence for the step from one state to the next; null when nothing is worth saying. */
 export function announcement(before: State, after: State): string | null {
@@ -52,7 +52,9 @@ function placing(before: State, after: State): string | null {
     const index = answer?.placements.findIndex(({ rank }) => rank === alternative) ?? -1;
     return `Place ${index + 1}: ${sentenceOf(after)}`;
   }
-  if (inspected !== before.placing.inspected && inspected !== null) return inspected.sentence;
+  if (inspected !== before.placing.inspected && inspected !== null) {
+    return ended(inspected.sentence);
+  }
   return null;
 }
 
@@ -102,5 +104,5 @@ function connection(before: State, after: State): string | null {
 /** What is said of the place the ghost stands on. */
 function sentenceOf({ placing }: State): string {
   const chosen = placing?.answer?.placements.find(({ rank }) => rank === placing.alternative);
-  return chosen?.sentence ?? placing?.inspected?.sentence ?? "";
+  return ended(chosen?.sentence ?? placing?.inspected?.sentence ?? "");
 }

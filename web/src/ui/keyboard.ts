@@ -1,12 +1,15 @@
 /** The keys: one table for what they do and for the help that lists them. */
+
+import { add } from "../model/geometry";
 import type { Point, Tool } from "../model/state";
-import { newBox, newOpening } from "./exact";
 import type { Page } from "./page";
 
 const STEP = 0.05; // metres an arrow moves a thing
 const FINE_STEP = 0.01; // metres, with Shift
 const CROSSHAIR_STEP = 0.5; // metres an arrow moves the crosshair while an outline is drawn
 const FINE_CROSSHAIR_STEP = 0.05; // metres, with Shift
+const NEW_BOX = 1; // metres; each side of the box that Enter puts into the room
+const NEW_HEIGHT = 0.75; // metres; its height, a table's
 const TURN = Math.PI / 12; // 15°
 const FINE_TURN = Math.PI / 180; // 1°, with Shift
 
@@ -182,7 +185,8 @@ function showAlternative({ state, dispatch }: Page, number: number): boolean {
   return true;
 }
 
-function enter({ state, local, services, dispatch, change }: Page): boolean {
+function enter(page: Page): boolean {
+  const { state, local, services, dispatch } = page;
   if (state.placing !== null) {
     if (state.placing.pose === null) return false;
     dispatch({ type: "confirm" });
@@ -192,85 +196,48 @@ function enter({ state, local, services, dispatch, change }: Page): boolean {
     dispatch({ type: "draw-height", height: state.draft.box.size[2], done: true });
     return true;
   }
-  const at = local.crosshair ?? services.viewPoint();
-  return putHere({ state, dispatch, change }, at);
+  if (state.tool === "select") return false;
+  putHere(page, local.crosshair ?? services.viewPoint());
+  return true;
 }
 
-/** Puts what the tool draws at the point, for those who draw with keys or a button. */
-export function putHere(
-  { state, dispatch, change }: Pick<Page, "state" | "dispatch" | "change">,
-  at: Point,
-): boolean {
-  const id = crypto.randomUUID();
-  switch (state.tool) {
-    case "select":
-      return false;
-    case "room":
-      change({ crosshair: at });
-      dispatch({ type: "draw-down", at, free: false });
-      dispatch({ type: "draw-up", at, free: false });
-      return true;
-    case "box":
-      dispatch({ type: "edit-box", box: newBox(id, at), done: true });
-      dispatch({ type: "choose-tool", tool: "select" });
-      dispatch({ type: "select", selection: { kind: "box", id } });
-      return true;
-    case "door":
-    case "window": {
-      const opening = state.tool;
-      const value = newOpening(opening, id, at, state.scene.room);
-      if (value === null) return false;
-      dispatch({ type: "edit-opening", opening, value, done: true });
-      dispatch({ type: "choose-tool", tool: "select" });
-      dispatch({ type: "select", selection: { kind: opening, id } });
-      return true;
-    }
-  }
+/** Draws with the tool in hand at a point, for those who draw with keys or a button. */
+export function putHere({ state, dispatch, change }: Page, at: Point): void {
+  const half = state.tool === "box" ? NEW_BOX / 2 : 0;
+  const free = state.tool === "box";
+  dispatch({ type: "draw-down", at: [at[0] - half, at[1] - half], free });
+  dispatch({ type: "draw-up", at: [at[0] + half, at[1] + half], free });
+  if (free) dispatch({ type: "draw-height", height: NEW_HEIGHT, done: true });
+  else if (state.tool === "room") change({ crosshair: at });
 }
 
 function letGo({ state, dispatch, change }: Page): boolean {
-  if (state.placing !== null) dispatch({ type: "cancel" });
-  else if (state.tool !== "select") dispatch({ type: "choose-tool", tool: "select" });
-  else if (state.selection !== null) dispatch({ type: "select", selection: null });
-  else return false;
+  const idle = state.placing === null && state.tool === "select" && state.selection === null;
+  if (idle) return false;
+  dispatch({ type: "cancel" });
   change({ crosshair: null });
   return true;
 }
 
-function move(page: Page, event: Press): boolean {
-  const { state, local, services, dispatch, change } = page;
+function move({ state, local, services, dispatch, change }: Page, event: Press): boolean {
   const [dx, dy] = ARROWS[event.key.toLowerCase()] as Point;
   const by = (step: number): Point => [dx * step, dy * step];
-  const [x, y] = by(event.shiftKey ? FINE_STEP : STEP);
-  const pose = state.placing?.pose;
-  if (pose) {
-    const center = [pose.center[0] + x, pose.center[1] + y, pose.center[2]] as const;
-    dispatch({ type: "drag-ghost", pose: { ...pose, center }, done: true });
-    return true;
-  }
   if (state.tool === "room") {
     const from = local.crosshair ?? services.viewPoint();
-    const [cx, cy] = by(event.shiftKey ? FINE_CROSSHAIR_STEP : CROSSHAIR_STEP);
-    const at: Point = [from[0] + cx, from[1] + cy];
+    const at = add(from, by(event.shiftKey ? FINE_CROSSHAIR_STEP : CROSSHAIR_STEP));
     change({ crosshair: at });
     dispatch({ type: "draw-move", at, free: true });
     return true;
   }
-  if (state.selection === null) return false;
-  dispatch({ type: "nudge", by: [x, y] });
+  if (!state.placing?.pose && state.selection === null) return false;
+  dispatch({ type: "nudge", by: by(event.shiftKey ? FINE_STEP : STEP) });
   return true;
 }
 
 function turn({ state, dispatch }: Page, event: Press): boolean {
-  const size = event.shiftKey ? FINE_TURN : TURN;
-  const by = event.key === "[" || event.key === "{" ? size : -size;
-  const pose = state.placing?.pose;
-  if (pose) {
-    dispatch({ type: "drag-ghost", pose: { ...pose, heading: pose.heading + by }, done: true });
-    return true;
-  }
-  if (state.selection?.kind !== "box") return false;
-  dispatch({ type: "turn", by });
+  if (!state.placing?.pose && state.selection?.kind !== "box") return false;
+  const by = event.shiftKey ? FINE_TURN : TURN;
+  dispatch({ type: "turn", by: event.key === "[" || event.key === "{" ? by : -by });
   return true;
 }
 

@@ -1,12 +1,15 @@
 /** Choosing what to place, and where: category, item, size, mode, the places on offer. */
 import { html, nothing, type TemplateResult } from "lit";
 import { usualSize } from "../model/labels";
+import { obstacleSentence } from "../model/obstacles";
+import { ghostObstacle } from "../model/placing";
 import type { Mode, Placing, Vector3 } from "../model/state";
 import { formatSize } from "../model/units";
 import { chips, placeable } from "./categories";
 import { button, lengthField, section } from "./controls";
+import { icon } from "./icons";
 import type { Page } from "./page";
-import { inSentence } from "./words";
+import { ended, inSentence } from "./words";
 
 const SIZE_STEP = 0.05; // metres
 const SIDES = ["Depth", "Width", "Height"] as const;
@@ -70,7 +73,7 @@ function after(page: Page): TemplateResult {
   if (placed === null) return html`<p class="quiet">Pick what should go into the room.</p>`;
   const name = inSentence(placed.category);
   return html`<div class="placed">
-    <p>The ${name} stands. ${placed.sentence}</p>
+    <p>The ${name} stands. ${ended(placed.sentence)}</p>
     <div class="row">
       ${button(
         {
@@ -184,21 +187,24 @@ function waiting({ state }: Page): TemplateResult {
   </div>`;
 }
 
-function decide({ dispatch }: Page, placing: Placing): TemplateResult {
-  const allowed = placing.alternative !== null || placing.inspected?.allowed !== false;
-  return html`<div class="row decide">
-    ${button(
-      {
-        icon: "check",
-        label: "Place it",
-        keys: "Enter",
-        disabled: placing.pose === null || !allowed,
-        run: () => dispatch({ type: "confirm" }),
-      },
-      "primary",
-    )}
-    ${button({ icon: "close", label: "Cancel", keys: "Esc", run: () => dispatch({ type: "cancel" }) })}
-  </div>`;
+function decide({ state, dispatch }: Page, placing: Placing): TemplateResult {
+  const obstacle = ghostObstacle(state);
+  return html`
+    ${obstacle === null ? nothing : html`<p class="blocked">${icon("problem")} ${obstacleSentence(obstacle)}</p>`}
+    <div class="row decide">
+      ${button(
+        {
+          icon: "check",
+          label: "Place it",
+          keys: "Enter",
+          disabled: placing.pose === null || obstacle !== null,
+          run: () => dispatch({ type: "confirm" }),
+        },
+        "primary",
+      )}
+      ${button({ icon: "close", label: "Cancel", keys: "Esc", run: () => dispatch({ type: "cancel" }) })}
+    </div>
+  `;
 }
 
 function noPlacePicture(): TemplateResult {

@@ -4,7 +4,7 @@ import type { Placing } from "../model/state";
 import type { Reason } from "../net/protocol.gen";
 import { section } from "./controls";
 import type { Page } from "./page";
-import { counted, likelihoodInWords, reasonInWords, signed } from "./words";
+import { counted, ended, likelihoodInWords, reasonInWords, signed } from "./words";
 
 /** Bars shown at once; the rest waits behind a click. */
 const SHOWN = 4;
@@ -26,7 +26,7 @@ export function reasonsPanel({ state }: Page): TemplateResult | typeof nothing {
     verdict.title,
     html`
       <p class="why">
-        ${verdict.sentence}
+        ${ended(verdict.sentence)}
         ${verdict.likelihood === null ? nothing : html`<small>A ${likelihoodInWords(verdict.likelihood)} place.</small>`}
       </p>
       ${bars(verdict.reasons)} ${total(verdict)} ${rooms(verdict.rooms)}

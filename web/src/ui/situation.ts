@@ -49,8 +49,8 @@ export function situation(page: Page): TemplateResult | typeof nothing {
 }
 
 /** One sentence saying what to do next. */
-export function nextStep({ state }: Page): TemplateResult | typeof nothing {
-  const words = hint(state);
+export function nextStep({ state, local }: Page): TemplateResult | typeof nothing {
+  const words = local.guide === "placing" ? null : hint(state);
   return words === null ? nothing : html`<p class="pill hint">${words}</p>`;
 }
 

@@ -22,11 +22,15 @@ import { nextStep, situation, toast } from "./situation";
 import { cameras, tools } from "./tools";
 import { welcome } from "./welcome";
 
+/** What is said waits until nothing newer has come for this long, milliseconds. */
+const CALM = 250;
+
 /** Shows the panels in the element and listens to the keys of the window. */
 export function mountUi(element: HTMLElement, dispatch: Dispatch, services: Services): View {
   let state: State | null = null;
   let local: Local = INITIAL_LOCAL;
   const insets = createInsets(element);
+  const say = createVoice();
   const pageOf = (state: State): Page => ({ state, local, services, dispatch, change });
   function change(changed: Partial<Local>): void {
     local = { ...local, ...changed };
@@ -101,7 +105,15 @@ function syncHelp(element: HTMLElement, open: boolean): void {
   else dialog.close();
 }
 
-function say(words: string | null): void {
-  const announcer = document.getElementById("announcer");
-  if (announcer !== null && words !== null) announcer.textContent = words;
+/** Says the newest sentence once things are calm, so that a drag does not read out each step. */
+function createVoice(): (words: string | null) => void {
+  let waiting: ReturnType<typeof setTimeout> | undefined;
+  return (words) => {
+    const announcer = document.getElementById("announcer");
+    if (announcer === null || words === null) return;
+    clearTimeout(waiting);
+    waiting = setTimeout(() => {
+      announcer.textContent = words;
+    }, CALM);
+  };
 }

@@ -4,6 +4,7 @@ import { button, iconButton } from "./controls";
 import type { Page } from "./page";
 import { start } from "./place";
 import { verdictOf } from "./reasons";
+import { ended } from "./words";
 
 export function welcome(page: Page): TemplateResult | typeof nothing {
   switch (page.local.guide) {
@@ -49,7 +50,7 @@ function settling(page: Page): TemplateResult {
   const next = places[(at + 1) % places.length];
   return card(
     page,
-    html`<p>${verdict.sentence}</p>
+    html`<p>${ended(verdict.sentence)}</p>
       <div class="row">
         ${button({ icon: "check", label: "Keep it here", run: () => page.dispatch({ type: "confirm" }) }, "primary")}
         ${
@@ -68,7 +69,7 @@ function settling(page: Page): TemplateResult {
 function doors(page: Page): TemplateResult {
   return card(
     page,
-    html`<p>The sofa stands. ${page.local.placed?.sentence ?? ""} What now?</p>
+    html`<p>The sofa stands. ${ended(page.local.placed?.sentence ?? "")} What now?</p>
       <div class="doors">
         ${button({
           icon: "hand",

@@ -5,20 +5,20 @@ import type { Point } from "../model/state";
 import { formatArea, formatLength, formatSize } from "../model/units";
 import { type Wall, wallsOf } from "../model/walls";
 import type { BoxRecord, RoomRecord, SceneRecord } from "../net/protocol.gen";
-import { counted, inSentence } from "./words";
+import { counted, ended, inSentence } from "./words";
 
 /** Closer than this to a wall is against it, metres. */
 const AGAINST = 0.15;
 
 const COMPASS = [
   "east",
-  "northeast",
+  "north-east",
   "north",
-  "northwest",
+  "north-west",
   "west",
-  "southwest",
+  "south-west",
   "south",
-  "southeast",
+  "south-east",
 ];
 
 /** The direction of an angle (anticlockwise from +x, radians); north is +y. */
@@ -54,7 +54,7 @@ export function nearestWallInWords(box: BoxRecord, room: RoomRecord): string {
 
 /** "Sofa placed: against the north wall, facing the TV." */
 export function placedInWords(box: BoxRecord, room: RoomRecord, sentence: string): string {
-  const where = sentence || `${nearestWallInWords(box, room)}.`;
+  const where = ended(sentence || nearestWallInWords(box, room));
   const first = where.split(/[\s,]/, 1)[0] ?? "";
   return `${box.category} placed: ${inSentence(first)}${where.slice(first.length)}`;
 }

@@ -18,6 +18,11 @@ export function inSentence(category: string): string {
   return category === category.toUpperCase() ? category : category.toLowerCase();
 }
 
+/** The sentence with its full stop. */
+export function ended(sentence: string): string {
+  return sentence === "" || /[.!?]$/.test(sentence) ? sentence : `${sentence}.`;
+}
+
 /** "1 piece", "4 pieces". */
 export function counted(count: number, noun: string): string {
   return `${count} ${noun}${count === 1 ? "" : "s"}`;
