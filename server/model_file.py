@@ -125,7 +125,8 @@ def read_model(data: bytes) -> tuple[Document, bytes, Floats]:
         raise ValueError(f"its JSON is not that of a glTF: {error}") from None
     try:
         _check_self_contained(gltf, len(binary))
-        bounds = bounds_of(gltf)
+        with np.errstate(over="ignore", invalid="ignore"):  # absurd numbers are refused below
+            bounds = bounds_of(gltf)
     except IndexError:
         raise ValueError("it points to parts that are not there") from None
     return document, binary, bounds

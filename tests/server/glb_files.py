@@ -8,6 +8,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from io import BytesIO
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pygltflib
@@ -42,6 +43,11 @@ def complaints(files: Mapping[str, bytes], directory: Path) -> dict[str, list[st
     found = json.loads(run.stdout)
     assert len(found) == len(files)
     return {name: found[str(path)] for name, path in paths.items() if found[str(path)]}
+
+
+def exported(mesh: Any) -> bytes:
+    """The GLB that trimesh makes of a mesh or scene."""
+    return bytes(mesh.export(file_type="glb"))
 
 
 def bounds(data: bytes) -> NDArray[np.float64]:
