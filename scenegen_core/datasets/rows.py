@@ -131,8 +131,9 @@ def _lines(path: Path) -> Iterator[bytes]:
         with unpack(path, "rb") as file:
             yield from file
     except (OSError, EOFError, zlib.error) as error:
+        reason = getattr(error, "strerror", None) or error
         raise DataError(
-            f"Cannot read rooms from {path} ({error}); check that the file is there and complete."
+            f"Cannot read rooms from {path} ({reason}); check that the file is there and complete."
         ) from error
 
 

@@ -9,7 +9,15 @@ from scenegen_core.graph.relations import RELATIONS, columns
 from scenegen_core.knowledge.files import default_knowledge
 from scenegen_core.knowledge.knowledge import CategoryKnowledge, Knowledge
 from scenegen_core.knowledge.learning import learn
-from scenegen_core.scene.model import PAPER_CATEGORIES, Box, Category, Room, Scene, Symmetry
+from scenegen_core.scene.model import (
+    PAPER_CATEGORIES,
+    Box,
+    Category,
+    Room,
+    Scene,
+    Symmetry,
+    Vector3,
+)
 
 ROOM = Room(((0.0, 0.0), (6.0, 0.0), (6.0, 5.0), (0.0, 5.0)), room_type="living room")
 
@@ -73,6 +81,15 @@ def test_the_usual_size_is_that_of_the_middle_half() -> None:
         Box(str(i), "Sofa", (1.0 + i, 1.0, size[2] / 2), size) for i, size in enumerate(sizes)
     )
     assert learn([Scene(ROOM, boxes)], PAPER_CATEGORIES)["Sofa"].usual_size == (0.9, 2.0, 0.8)
+
+
+@pytest.mark.parametrize(("count", "size"), [(1, (1.0, 2.0, 1.0)), (2, (1.5, 3.0, 1.5))])
+def test_one_or_two_examples_have_a_usual_size_too(count: int, size: Vector3) -> None:
+    boxes = tuple(
+        Box(str(i), "Sofa", (i, 1.0, 0.5), (float(i), 2.0 * i, float(i)))
+        for i in range(1, count + 1)
+    )
+    assert learn([Scene(ROOM, boxes)], PAPER_CATEGORIES)["Sofa"].usual_size == size
 
 
 def test_other_and_categories_outside_the_groups_are_seen_but_not_learned(
