@@ -50,7 +50,7 @@ def server_url(tmp_path_factory: pytest.TempPathFactory) -> Iterator[str]:
             [
                 sys.executable,
                 *("-m", "server.cli", "serve"),
-                *("--port", str(port), "--store", str(directory / "store")),
+                *("--port", str(port), "--store", str(directory / "sessions.sqlite3")),
             ],
             cwd=ROOT,
             stdout=log,
@@ -85,7 +85,7 @@ def open_page(
 
     def listen(message: ConsoleMessage) -> None:
         if message.type == "error":
-            complaints.append(message.text)
+            complaints.append(f"{message.text} ({message.location['url']})")
 
     def open_at(path: str = "/", *, viewport: ViewportSize = DESKTOP, touch: bool = False) -> Page:
         context = browser.new_context(
