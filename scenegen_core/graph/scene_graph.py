@@ -115,7 +115,7 @@ def _regrouped(scene: Scene, groups: tuple[Category, ...]) -> Scene:
 
 def _nodes(scene: Scene, groups: tuple[Category, ...]) -> Iterator[Node]:
     for box in scene.boxes:
-        yield Node(object_node(box.id), "object", box.label or box.category, box.center)
+        yield Node(object_node(box.id), "object", _name(box), box.center)
     for group in groups:
         centers = [box.center for box in scene.boxes if box.category == group.name]
         if centers:
@@ -123,6 +123,10 @@ def _nodes(scene: Scene, groups: tuple[Category, ...]) -> Iterator[Node]:
             yield Node(group_node(group.name), "group", group.name, (x, y, z))
     middle = Polygon(scene.room.corners).centroid
     yield Node(ROOM_NODE, "room", scene.room.room_type or "room", (middle.x, middle.y, 0.0))
+
+
+def _name(box: Box) -> str:
+    return box.label or box.category
 
 
 def _edges(box: Box, scene: Scene, groups: tuple[Category, ...]) -> Iterator[Edge]:
@@ -157,7 +161,7 @@ def _edges_to_boxes(relations: tuple[Relation, ...], box: Box, others: Scene) ->
     nearest = min(gaps, key=gaps.__getitem__)
     for relation, other, value in found:
         if other == nearest if relation is AVERAGE_DISTANCE else value:
-            text = about_group(relation.name, value, others[other].category, 1)
+            text = about_group(relation.name, value, _name(others[other]), 1)
             yield Edge(object_node(box.id), object_node(other), relation.name, value, text)
 
 
@@ -170,7 +174,7 @@ def _edges_to_parallel(box: Box, others: Scene, fronts: set[str]) -> Iterator[Ed
         alone = replace(others, boxes=(other,))
         for relation, part, value in _measured((DIRECTION_SIMILARITY,), box, alone, ()):
             if value:
-                text = about_direction(part, other.category)
+                text = about_direction(part, _name(other))
                 yield Edge(object_node(box.id), object_node(other.id), relation.name, value, text)
 
 

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+
 CORNER = 2  # walls; whoever is near two or more is near a corner (paper, RoomPosition)
 
 TOUCHING = 0.05  # metres; a distance that is shown as none
@@ -10,10 +12,10 @@ SINGULAR = {"Decor": "decor piece", "Storage": "storage piece", "Other": "other 
 """Categories whose name is no word for one thing."""
 
 
-def noun(category: str) -> str:
-    """One thing of a category within a sentence: chair, TV, storage piece."""
-    word = SINGULAR.get(category, category)
-    return word if word.isupper() else word.lower()
+def noun(name: str) -> str:
+    """One thing of a category, or of a label, within a sentence: TV unit, storage piece."""
+    spaced = re.sub(r"(?<=[a-z])(?=[A-Z])", " ", SINGULAR.get(name, name)).replace("_", " ")
+    return " ".join(word if word.isupper() else word.lower() for word in spaced.split())
 
 
 def nouns(category: str) -> str:
@@ -21,14 +23,16 @@ def nouns(category: str) -> str:
     return f"{noun(category)}s"
 
 
-def the(category: str, count: int) -> str:
+def the(name: str, count: int) -> str:
     """All things of a category within a sentence: the table, the tables."""
-    return f"the {noun(category) if count == 1 else nouns(category)}"
+    return f"the {noun(name) if count == 1 else nouns(name)}"
 
 
-def some(category: str, count: int) -> str:
-    """So many things of a category within a sentence: a table, 2 tables."""
-    return f"1 {noun(category)}" if count == 1 else f"{count} {nouns(category)}"
+def some(category: str, count: int, members: int) -> str:
+    """So many of a category's members: the table, one of the tables, 2 tables."""
+    if count == 1:
+        return the(category, 1) if members == 1 else f"one of {the(category, members)}"
+    return f"{count} {nouns(category)}"
 
 
 def about_room(relation: str, value: float) -> str:
@@ -45,9 +49,8 @@ def about_room(relation: str, value: float) -> str:
 
 
 def about_group(relation: str, value: float, category: str, members: int) -> str:
-    """What a relation to a group says; ``members`` are those that the value is about."""
-    count = round(abs(value))
-    those = the(category, 1) if members == 1 else some(category, count)
+    """What a relation to a group of so many members says, or to one thing of that label."""
+    those = some(category, round(abs(value)), members)
     match relation:
         case "AverageDistance" if value < TOUCHING:
             return f"right at {the(category, members)}"
@@ -63,10 +66,10 @@ def about_group(relation: str, value: float, category: str, members: int) -> str
             return f"next to {those}"
 
 
-def about_direction(part: str, category: str) -> str:
+def about_direction(part: str, name: str) -> str:
     """What DirectionSimilarity says of one neighbor."""
     way = "the same way as" if part == "same" else "the opposite way to"
-    return f"faces {way} {the(category, 1)}"
+    return f"faces {way} {the(name, 1)}"
 
 
 def about_membership(category: str, members: int) -> str:

@@ -80,9 +80,9 @@ def test_nodes_stand_where_their_things_are(graph: SceneGraph) -> None:
         ("object:table", "group:Chair", "1.0 m from the chairs"),
         ("object:vase", "group:Table", "right at the table"),
         ("object:sofa", "group:Chair", "close to 2 chairs"),
-        ("object:table", "group:Chair", "close to 1 chair"),
+        ("object:table", "group:Chair", "close to one of the chairs"),
         ("object:sofa", "group:Table", "faces the table"),
-        ("object:sofa", "group:Chair", "next to 1 chair"),
+        ("object:sofa", "group:Chair", "next to one of the chairs"),
         ("object:tv", "group:Storage", "stands on the storage piece"),
         ("object:cupboard", "group:TV", "is under the TV"),
     ],
@@ -109,6 +109,11 @@ def test_relations_to_the_room_and_to_groups_are_told(
         ),
         ("object:sofa", "object:chair", set()),  # close, but neither nearest, ahead nor beside
         ("object:sofa", "object:tv", set()),  # ahead, but too far
+        (
+            "object:picture",  # the nearest thing, and no other relation
+            "object:stool",
+            {"1.2 m from the chair"},
+        ),
         ("object:vase", "object:table", {"right at the table", "stands on the table"}),
         ("object:table", "object:vase", {"right at the decor piece", "is under the decor piece"}),
     ],
@@ -117,6 +122,21 @@ def test_relations_to_a_group_say_which_of_its_objects_they_are_about(
     graph: SceneGraph, source: str, target: str, told: set[str]
 ) -> None:
     assert texts(graph, source, target) == told
+
+
+@pytest.mark.parametrize(
+    ("label", "text"),
+    [
+        ("", "faces the table"),
+        ("Coffee table", "faces the coffee table"),
+        ("CoffeeTable", "faces the coffee table"),
+        ("side_table", "faces the side table"),
+        ("TV table", "faces the TV table"),
+    ],
+)
+def test_an_object_is_called_by_its_label(living_room: Scene, label: str, text: str) -> None:
+    scene = living_room.with_box(replace(living_room["table"], label=label))
+    assert texts(scene_graph(scene, PAPER_CATEGORIES), "object:sofa", "object:table") == {text}
 
 
 def test_what_has_no_front_faces_nothing(living_room: Scene) -> None:
