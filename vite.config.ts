@@ -1,7 +1,7 @@
 import { defineConfig } from "vitest/config";
 
 const SERVER = "http://localhost:8000";
-const SERVED_BY_PYTHON = ["/rooms", "/assets", "/scenes", "/export", "/catalogue"];
+const SERVED_BY_PYTHON = ["/rooms", "/assets", "/scenes", "/export"];
 
 export default defineConfig({
   root: "web",

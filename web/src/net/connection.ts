@@ -37,6 +37,7 @@ const FIRST_DELAY = 500; // milliseconds
 const MAX_DELAY = 10_000; // milliseconds
 const ANSWER_LIMIT = 3_000; // milliseconds, for the answer to a ping
 const OPEN_LIMIT = 10_000; // milliseconds, from connecting to the first message
+const LAST_CHANCE = 100; // milliseconds
 const HEARTBEAT = 20_000; // milliseconds
 /** The server's closing codes from here to here are for good; the reason is a sentence. */
 const FOR_GOOD = [4400, 4403] as const;
@@ -85,7 +86,7 @@ export class Connection {
     } else if (this.#alive) {
       this.#nonce += 1;
       this.send({ type: "ping", nonce: this.#nonce });
-      this.#limit ??= setTimeout(() => this.#gone(), ANSWER_LIMIT);
+      if (this.#limit === undefined) this.#await(ANSWER_LIMIT);
     }
   }
 
@@ -95,7 +96,7 @@ export class Connection {
     const socket = open(url, SUBPROTOCOL);
     this.#socket = socket;
     socket.binaryType = "arraybuffer";
-    this.#limit = setTimeout(() => this.#gone(), OPEN_LIMIT);
+    this.#await(OPEN_LIMIT);
     socket.onopen = () => {
       this.#alive = true;
       listener.opened();
@@ -113,6 +114,16 @@ export class Connection {
         this.#gone();
       }
     };
+  }
+
+  /**
+   * Gives up unless something is heard in time. A page that was busy runs its timers before it reads
+   * its sockets, so at the end there is a moment to read what has come meanwhile.
+   */
+  #await(limit: number): void {
+    this.#limit = setTimeout(() => {
+      this.#limit = setTimeout(() => this.#gone(), LAST_CHANCE);
+    }, limit - LAST_CHANCE);
   }
 
   /** Whatever the server says, it is there. */
