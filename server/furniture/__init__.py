@@ -54,7 +54,7 @@ def furniture_glb(category: str, size: Vector3, label: str = "", *, wall: bool =
 
 def _design(category: str, size: Vector3, label: str, *, wall: bool) -> Design:
     if category == "TV":
-        return pictures.choose_screen(wall=wall)
+        return pictures.choose_screen(size, wall=wall)
     return CHOICES.get(category, others.choose)(size, label)
 
 

@@ -10,6 +10,7 @@ from server.furniture.design import Design, Parts, named
 from server.furniture.materials import (
     BRASS,
     CERAMIC,
+    CLAY,
     LEAF,
     LINEN,
     SHADE,
@@ -24,6 +25,7 @@ from server.furniture.parts import block, lathe, leaf, tube
 RUG_HEIGHT = 0.05  # metres
 THIN = 4.0  # height over width; taller things that thin are floor lamps
 TALL = 0.6  # metres; what is taller stands on the floor
+RUG_STRIPES = (0.0, 0.09, 0.105, 0.13, 0.14)  # metres from the edge, on a rug of a metre or more
 LEAVES = 34
 GREENS = tuple(linear(color) for color in ("#7f9c66", "#6b8c58", "#90ab74", "#5f8052", "#86a06f"))
 
@@ -75,7 +77,7 @@ def plant(w: float, h: float, d: float) -> Parts:
         )
         base = (0.3 * r * sin(turn), 0.9 * pot, 0.3 * r * cos(turn))
         droop = 0.25 * (h - pot) * spread * (1 - 0.5 * rise)
-        blade = leaf(base, tip, 0.15 * (h - pot) + 0.02, droop)
+        blade = leaf(base, tip, 0.15 * (h - pot) + 0.02, droop).both_sides()
         yield LEAF, replace(blade, color=GREENS[number % len(GREENS)])
 
 
@@ -140,25 +142,19 @@ def vase(w: float, h: float, d: float) -> Parts:
 
 
 def rug(w: float, h: float, d: float) -> Parts:
-    """A flat rug with a border."""
-    edge = min(0.12, 0.12 * min(w, d))
-    yield LINEN, block((-w / 2, w / 2), (0, 0.8 * h), (-d / 2, d / 2), 0.004)
-    yield (
-        WOOL,
-        block(
-            (-w / 2 + edge, w / 2 - edge), (0.3 * h, 0.92 * h), (-d / 2 + edge, d / 2 - edge), 0.002
-        ),
-    )
-    edge *= 1.3
-    yield (
-        LINEN,
-        block((-w / 2 + edge, w / 2 - edge), (0.3 * h, h), (-d / 2 + edge, d / 2 - edge), 0.002),
-    )
+    """A flat rug with two thin stripes round it."""
+    x, z = w / 2, d / 2
+    for number, material in enumerate((LINEN, CLAY, LINEN, WOOL, LINEN)):
+        edge = RUG_STRIPES[number] * min(1.0, w, d)
+        top = h * (0.8 + 0.05 * number)
+        span = ((-x + edge, x - edge), (0.2 * h * min(number, 1), top), (-z + edge, z - edge))
+        yield material, block(*span, 0.003)
 
 
 def _shade(r: float, low: float, high: float, squash: float) -> Parts:
     """A cone of cloth, open below and above."""
-    yield SHADE, lathe([(r, low), (0.7 * r, high)], sides=28, squash=squash)
+    cone = lathe([(r, low), (0.7 * r, high)], sides=28, squash=squash)
+    yield SHADE, cone.both_sides()
 
 
 RUG = Design("rug", rug, (0.3, 0.3, 0.01), (5.0, 5.0, 0.04))

@@ -47,6 +47,15 @@ class Mesh:
         """The mesh turned about the line along z through (x, y), anticlockwise from the front."""
         return self._turned(_turn(0, 1, angle), np.array([x, y, 0.0]))
 
+    def both_sides(self) -> Mesh:
+        """The mesh with a second layer that looks the other way, for leaves and cloth."""
+        return Mesh(
+            np.concatenate([self.positions, self.positions]),
+            np.concatenate([self.normals, -self.normals]),
+            np.concatenate([self.faces, self.faces[:, ::-1] + len(self.positions)]),
+            self.color,
+        )
+
     def _turned(self, matrix: Floats, pivot: Floats) -> Mesh:
         positions = (self.positions - pivot) @ matrix.T + pivot
         return Mesh(positions, self.normals @ matrix.T, self.faces, self.color)

@@ -15,6 +15,7 @@ from server.furniture.materials import COTTON, GRAPHITE, MIRROR, OAK, PAINT, SCR
 from server.furniture.mesh import Mesh
 from server.furniture.parts import Span, block, cushion, polygon
 
+FOOT = 0.12  # metres; the least depth on which a screen can stand
 PALETTES = tuple(
     tuple(linear(color) for color in colors)
     for colors in (
@@ -29,9 +30,9 @@ DARK = (linear("#23272b"), linear("#2c3136"))
 SILVER = (linear("#cdd8d8"), linear("#dbe4e3"))
 
 
-def choose_screen(*, wall: bool) -> Design:
-    """A screen, with a foot unless it hangs on the wall."""
-    return WALL_SCREEN if wall else SCREEN_ON_FOOT
+def choose_screen(size: Vector3, *, wall: bool) -> Design:
+    """A screen, with a foot unless it hangs on the wall or is too thin to stand on one."""
+    return WALL_SCREEN if wall or size[0] < FOOT else SCREEN_ON_FOOT
 
 
 def choose_picture(_size: Vector3, label: str) -> Design:

@@ -68,9 +68,9 @@ def sideboard(w: float, h: float, d: float) -> Parts:
     for number in range(count):
         x = (-w / 2 + BOARD + number * width, -w / 2 + BOARD + (number + 1) * width)
         if count > 2 and number == count // 2:  # noqa: PLR2004 (room between two doors)
-            yield from _drawer_stack(x, (low, high), front, 3 if h > 0.6 else 2, OAK)  # noqa: PLR2004
+            yield from _drawer_stack(x, (low, high), front, 3 if h > 0.6 else 2, MATTE_WHITE)  # noqa: PLR2004
         else:
-            yield from _door(x, (low, high), front, OAK)
+            yield from _door(x, (low, high), front, MATTE_WHITE)
             grip = x[1] - 0.04 if number < count // 2 else x[0] + 0.04
             middle = (low + high) / 2
             yield (
