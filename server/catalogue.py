@@ -21,7 +21,8 @@ from scenegen_core.scene.model import Vector3
 from server.furniture import on_wall
 from server.furniture.glb import Document, write_glb
 from server.furniture.mesh import Floats
-from server.model_file import SMALLEST, Gltf, read_model, roots_of, size_problem
+from server.gltf_records import Gltf
+from server.model_file import SMALLEST, read_model, roots_of, size_problem
 
 MANIFEST = "catalogue.json"
 MAX_FILES = 500

@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from scenegen_core.scene.model import Vector3
+from server.furniture.cushions import cushion
 from server.furniture.design import Design, Parts, named
 from server.furniture.materials import CLAY, COTTON, LINEN, OAK
-from server.furniture.parts import block, cushion
+from server.furniture.parts import block
 
 BUNK_HEIGHT = 1.4  # metres; a bed that tall has two floors
 DOUBLE = 1.2  # metres; from that width on it has two pillows

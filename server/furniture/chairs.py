@@ -5,9 +5,10 @@ from __future__ import annotations
 from math import cos, pi, sin
 
 from scenegen_core.scene.model import Vector3
+from server.furniture.cushions import cushion
 from server.furniture.design import Design, Parts, legs, named
 from server.furniture.materials import GRAPHITE, OAK, SAGE, WOOL
-from server.furniture.parts import block, cushion, lathe, tube
+from server.furniture.parts import block, lathe, tube
 
 STOOL_HEIGHT = 0.55  # metres; lower seats have no back
 ARMCHAIR_WIDTH = 0.7  # metres

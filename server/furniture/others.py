@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from scenegen_core.scene.model import Vector3
+from server.furniture.cushions import cushion
 from server.furniture.design import Design, Parts, named
 from server.furniture.materials import (
     CERAMIC,
@@ -12,7 +13,7 @@ from server.furniture.materials import (
     STEEL,
     WARM_GREY,
 )
-from server.furniture.parts import block, cushion, lathe, tube
+from server.furniture.parts import block, lathe, tube
 
 
 def choose(_size: Vector3, label: str) -> Design:

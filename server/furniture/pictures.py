@@ -10,10 +10,11 @@ from hashlib import sha256
 from math import cos, pi, sin
 
 from scenegen_core.scene.model import Vector3
+from server.furniture.cushions import cushion
 from server.furniture.design import Design, Parts, named
 from server.furniture.materials import COTTON, GRAPHITE, MIRROR, OAK, PAINT, SCREEN, Color, linear
 from server.furniture.mesh import Mesh
-from server.furniture.parts import Span, block, cushion, polygon
+from server.furniture.parts import Span, block, polygon
 
 FOOT = 0.12  # metres; the least depth on which a screen can stand
 PALETTES = tuple(

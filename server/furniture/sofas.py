@@ -5,10 +5,11 @@ from __future__ import annotations
 from math import copysign
 
 from scenegen_core.scene.model import Vector3
+from server.furniture.cushions import cushion
 from server.furniture.design import Design, Parts, legs, named
 from server.furniture.materials import LINEN, OAK, SAGE
 from server.furniture.mesh import Mesh
-from server.furniture.parts import cushion, tube
+from server.furniture.parts import tube
 
 LEG = 0.12  # metres
 ARM = 0.17  # metres, width of an armrest

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from scenegen_core.scene.model import Vector3
-from server.furniture.books import row_of_books
+from server.furniture.bookcases import BOOKCASE
 from server.furniture.design import Design, Parts, legs, named
 from server.furniture.materials import BRASS, MATTE_WHITE, OAK, WALNUT, WARM_GREY, Material
 from server.furniture.parts import Span, block
@@ -110,28 +110,6 @@ def drawers(w: float, h: float, d: float) -> Parts:
         )
 
 
-def bookcase(w: float, h: float, d: float) -> Parts:
-    """Open shelves with books on them."""
-    yield OAK, block((-w / 2, w / 2), (0, h), (-d / 2, -d / 2 + 0.012), 0.002)
-    for side in (-1, 1):
-        low, high = sorted((side * w / 2, side * (w / 2 - BOARD)))
-        yield OAK, block((low, high), (0, h), (-d / 2, d / 2), 0.004)
-    count = min(6, max(1, round((h - 0.08) / 0.36)))
-    step = (h - BOARD - 0.06) / count
-    inner = w / 2 - BOARD
-    for number in range(count + 1):
-        y = 0.06 + number * step
-        yield OAK, block((-inner, inner), (y, y + BOARD), (-d / 2 + 0.01, d / 2 - 0.005), 0.003)
-        if number < count:
-            yield from row_of_books(
-                (-inner + 0.01, inner - 0.01),
-                (y + BOARD, y + step),
-                (-d / 2 + 0.03, d / 2 - 0.03),
-                number,
-            )
-    yield OAK, block((-inner, inner), (0, 0.06), (d / 2 - 0.04, d / 2 - 0.02), 0.003)
-
-
 def kitchen(w: float, h: float, d: float) -> Parts:
     """Base cabinets under a worktop."""
     yield WARM_GREY, block((-w / 2, w / 2), (0, 0.1), (-d / 2, d / 2 - 0.07))
@@ -194,5 +172,4 @@ WARDROBE = Design("wardrobe", wardrobe, (0.3, 0.35, 1.2), (1.0, 4.0, 3.0))
 SIDEBOARD = Design("sideboard", sideboard, (0.25, 0.6, 0.3), (0.8, 3.5, 1.3))
 NIGHTSTAND = Design("nightstand", nightstand, (0.2, 0.22, 0.25), (0.8, 1.0, 1.0))
 DRAWERS = Design("chest of drawers", drawers, (0.25, 0.3, 0.45), (0.8, 2.4, 2.0))
-BOOKCASE = Design("bookcase", bookcase, (0.15, 0.25, 0.3), (0.8, 3.0, 2.8))
 KITCHEN = Design("kitchen cabinet", kitchen, (0.3, 0.3, 0.4), (1.0, 5.0, 1.2))
