@@ -39,10 +39,11 @@ export function parseLength(text: string, unit: Unit, limits: Limits = ANY_LENGT
 
 const ANY_LENGTH: Limits = { min: MIN_LENGTH, max: MAX_LENGTH };
 
-/** The metres as the field shows them, without the unit: "85", "3.5". */
+/** The metres as the field shows them, without the unit: "85", "4.5" (below 10 cm), "3.25". */
 export function shown(value: number, unit: Unit): string {
-  const scaled = unit === "cm" ? value * 100 : value;
-  return String(Number(scaled.toFixed(unit === "cm" ? 1 : 2)));
+  if (unit === "m") return String(Number(value.toFixed(2)));
+  const scaled = value * 100;
+  return String(Number(scaled.toFixed(Math.abs(scaled) < 10 ? 1 : 0)));
 }
 
 function inUnit(value: number, unit: Unit): string {

@@ -14,7 +14,7 @@ export function follow(local: Local, before: State, after: State): Local {
     placed: placed ?? (forgotten ? null : local.placed),
     crosshair: after.tool === before.tool ? local.crosshair : null,
     mode: after.placing?.mode ?? local.mode,
-    sheet: sheetAfter(local.sheet, before, after),
+    sheet: guide === "placing" ? local.sheet : sheetAfter(local.sheet, before, after),
   };
 }
 
@@ -43,7 +43,8 @@ function guideAfter(guide: Guide, before: State, after: State, placed: boolean):
       if (placed) return "doors";
       return before.placing !== null && after.placing === null ? "done" : "placing";
     case "doors":
-      return after.tool !== "select" || after.placing !== null ? "done" : "doors";
+    case "phone":
+      return after.tool !== "select" || after.placing !== null ? "done" : guide;
     case "done":
       return "done";
   }

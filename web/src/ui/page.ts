@@ -5,8 +5,8 @@ import type { SceneRecord } from "../net/protocol.gen";
 
 export type SheetHeight = "peek" | "half" | "full";
 
-/** The first minute: the invitation, the first sofa on its way, the three doors, done. */
-export type Guide = "invite" | "placing" | "doors" | "done";
+/** The first minute: the invitation, the first sofa on its way, the three doors, the phone, done. */
+export type Guide = "invite" | "placing" | "doors" | "phone" | "done";
 
 /** What was placed last, to place another or to take it back. */
 export interface LastPlaced {

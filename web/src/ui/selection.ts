@@ -44,18 +44,23 @@ function boxPanel(page: Page, box: BoxRecord): TemplateResult {
   return section(
     box.label || box.category,
     html`
-      <p class="question">What is it?</p>
-      ${chips(
-        "What is it?",
-        likelyCategories(box.size, state.lists.categories),
-        box.category,
-        (category) => edit({ category }),
-      )}
+      ${box.placed === true ? nothing : whatIsIt(page, box, edit)}
       ${sizeFields(box, edit)} ${positionFields(box, westSouth(state.scene.room.corners), edit)}
       ${boxCommands(page, box)}
     `,
     "selection",
   );
+}
+
+/** The likely ones first, by size; what was placed is known. */
+function whatIsIt(
+  { state }: Page,
+  box: BoxRecord,
+  edit: (change: Partial<BoxRecord>) => void,
+): TemplateResult {
+  const names = likelyCategories(box.size, state.lists.categories);
+  return html`<p class="question">What is it?</p>
+    ${chips("What is it?", names, box.category, (category) => edit({ category }))}`;
 }
 
 /** Another height keeps the underside where it is. */

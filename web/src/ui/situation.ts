@@ -50,7 +50,8 @@ export function situation(page: Page): TemplateResult | typeof nothing {
 
 /** One sentence saying what to do next. */
 export function nextStep({ state, local }: Page): TemplateResult | typeof nothing {
-  const words = local.guide === "placing" ? null : hint(state);
+  const guided = local.guide !== "invite" && local.guide !== "done";
+  const words = guided ? null : hint(state);
   return words === null ? nothing : html`<p class="pill hint">${words}</p>`;
 }
 

@@ -1,6 +1,6 @@
 /** The panels round the room: mounted once, rendered anew with every state. */
 import "../styles/index.css";
-import { html, nothing, render, type TemplateResult } from "lit";
+import { html, render, type TemplateResult } from "lit";
 import type { Services, View } from "../contract";
 import type { State } from "../model/state";
 import type { Dispatch } from "../store";
@@ -39,7 +39,7 @@ export function mountUi(element: HTMLElement, dispatch: Dispatch, services: Serv
   function draw(state: State): void {
     render(panels(pageOf(state)), element);
     syncHelp(element, state.help);
-    insets.measure();
+    insets.watch();
   }
   const onKey = (event: KeyboardEvent): void => {
     if (state === null || !isForTheRoom(event)) return;
@@ -77,12 +77,20 @@ export function panels(page: Page): TemplateResult {
     <aside class="panel" aria-label="Panel" data-sheet=${page.local.sheet}>
       ${sheetHandle(page)}
       <div class="parts">
-        ${drawingPanel(page)} ${selectionPanel(page)}
-        ${page.state.tool === "select" ? placePanel(page) : nothing} ${reasonsPanel(page)} ${layersPanel(page)}
+        ${parts(page)}
       </div>
     </aside>
     ${help(page)}
   `;
+}
+
+/** What the panel holds just now, the most wanted first. */
+function parts(page: Page): unknown {
+  const { state, local } = page;
+  if (state.tool !== "select") return [drawingPanel(page), layersPanel(page)];
+  if (state.placing !== null) return [placePanel(page), reasonsPanel(page), layersPanel(page)];
+  const order = [selectionPanel(page), placePanel(page)];
+  return [...(local.placed === null ? order : order.toReversed()), layersPanel(page)];
 }
 
 /** Keys typed into a field, pressed on a button or in a dialog belong there. */

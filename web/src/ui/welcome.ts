@@ -1,6 +1,6 @@
 /** The first minute: one sentence and one button, then three doors. */
 import { html, nothing, type TemplateResult } from "lit";
-import { button, iconButton } from "./controls";
+import { button, iconButton, toolButton } from "./controls";
 import type { Page } from "./page";
 import { start } from "./place";
 import { verdictOf } from "./reasons";
@@ -13,6 +13,7 @@ export function welcome(page: Page): TemplateResult | typeof nothing {
     case "placing":
       return settling(page);
     case "doors":
+    case "phone":
       return doors(page);
     case "done":
       return nothing;
@@ -71,28 +72,30 @@ function doors(page: Page): TemplateResult {
     page,
     html`<p>The sofa stands. ${ended(page.local.placed?.sentence ?? "")} What now?</p>
       <div class="doors">
-        ${button({
+        ${toolButton({
           icon: "hand",
           label: "Try it yourself",
           run: () => {
-            page.change({ guide: "done", sheet: "half" });
+            page.change({ guide: "done" });
             start(page, "Chair", null, null, "manual");
           },
         })}
-        ${button({
+        ${toolButton({
           icon: "room",
           label: "Draw your own room",
           run: () => {
             page.change({ guide: "done" });
             page.dispatch({ type: "new-room" });
-            page.dispatch({ type: "choose-tool", tool: "room" });
           },
         })}
-        <details class="more">
-          <summary class="button">Use your phone</summary>
-          ${phone(page)}
-        </details>
-      </div>`,
+        ${toolButton({
+          icon: "phone",
+          label: "Use your phone",
+          pressed: page.local.guide === "phone",
+          run: () => page.change({ guide: page.local.guide === "phone" ? "doors" : "phone" }),
+        })}
+      </div>
+      ${page.local.guide === "phone" ? phone(page) : nothing}`,
   );
 }
 
