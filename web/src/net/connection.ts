@@ -36,8 +36,8 @@ export interface Settings {
 const FIRST_DELAY = 500; // milliseconds
 const MAX_DELAY = 10_000; // milliseconds
 const ANSWER_LIMIT = 3_000; // milliseconds, for the answer to a ping
-const OPEN_LIMIT = 10_000; // milliseconds, from connecting to the first message
-const LAST_CHANCE = 100; // milliseconds
+const OPEN_LIMIT = 15_000; // milliseconds, from connecting to the first message
+const LAST_CHANCE = 1_000; // milliseconds
 const HEARTBEAT = 20_000; // milliseconds
 /** The server's closing codes from here to here are for good; the reason is a sentence. */
 const FOR_GOOD = [4400, 4403] as const;
