@@ -56,7 +56,10 @@ class Exports:
         self, request: Request, work: Callable[[bytes], bytes], media_type: str
     ) -> Response:
         body = await _body(request)
-        content = await to_thread.run_sync(work, body, limiter=self._limiter)
+        try:
+            content = await to_thread.run_sync(work, body, limiter=self._limiter)
+        except RecursionError:
+            raise SceneError("That is nested too deeply to be a room; save it again.") from None
         return Response(content, media_type=media_type)
 
     def _checked(self, body: bytes) -> bytes:

@@ -58,6 +58,8 @@ def decode(text: str) -> ClientMessage | Problem:
         return _invalid(text, str(error))
     except msgspec.DecodeError as error:
         return Problem(code="bad_json", text=f"That is not JSON: {error}. Send whole messages.")
+    except RecursionError:
+        return Problem(code="bad_json", text="That is nested too deeply; send what pages send.")
     return message
 
 
@@ -89,6 +91,6 @@ def _invalid(text: str, error: str) -> Problem:
 def _sequence(text: str) -> int | None:
     try:
         seq = msgspec.json.decode(text, type=_Numbered).seq
-    except msgspec.ValidationError:
+    except (msgspec.DecodeError, RecursionError):
         return None
     return seq if seq is None or seq >= 0 else None

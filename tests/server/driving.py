@@ -10,7 +10,9 @@ from time import sleep
 from typing import TypeVar
 
 import msgspec
+import pytest
 from msgspec import Struct
+from websockets.exceptions import ConnectionClosed
 from websockets.sync.client import ClientConnection, connect
 from websockets.typing import Origin, Subprotocol
 
@@ -72,6 +74,19 @@ class Page:
         """Say hello as a new page and upload a scene as edit 1."""
         self.send(Hello(), PutScene(seq=1, scene=scene))
         return self.until(Welcome)
+
+
+def closed(socket: Page) -> tuple[int, str]:
+    """Code and reason of the close that comes; what comes before it is skipped."""
+    with pytest.raises(ConnectionClosed) as error:
+        _read_on(socket)
+    assert error.value.rcvd is not None
+    return error.value.rcvd.code, error.value.rcvd.reason
+
+
+def _read_on(socket: Page) -> None:
+    while True:
+        socket.next()
 
 
 @contextmanager

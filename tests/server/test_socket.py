@@ -7,7 +7,6 @@ from pathlib import Path
 import msgspec
 import numpy as np
 import pytest
-from websockets.exceptions import ConnectionClosed
 
 from scenegen_core.scene.files import BoxRecord, SceneRecord
 from server.protocol import (
@@ -36,19 +35,9 @@ from server.protocol import (
 )
 from server.settings import Settings
 from server.world import World
-from tests.server.driving import ROOM, SCENE, TABLE, Page, page, serving
+from tests.server.driving import ROOM, SCENE, TABLE, closed, page, serving
 
 SOFA = Ask(id="sofa", query=Query(category="Sofa"))
-
-
-def closed(socket: Page) -> tuple[int, str]:
-    """Code and reason of the close that comes."""
-    try:
-        while True:
-            socket.next()
-    except ConnectionClosed as error:
-        assert error.rcvd is not None
-        return error.rcvd.code, error.rcvd.reason
 
 
 def test_a_new_page_is_welcomed_with_what_it_can_draw_and_open(url: str) -> None:
