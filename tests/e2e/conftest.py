@@ -63,6 +63,8 @@ def server_url(tmp_path_factory: pytest.TempPathFactory) -> Iterator[str]:
     finally:
         process.terminate()
         process.wait(timeout=PATIENCE)
+    said = (directory / "log.txt").read_text(errors="replace")
+    assert "Traceback" not in said, said
 
 
 @pytest.fixture(scope="session")

@@ -66,13 +66,14 @@ def test_a_sofa_asked_for_brings_a_heat_map_and_a_ghost(desktop: Page) -> None:
     expect(things(desktop)).to_have_count(FURNITURE)
 
 
-def test_another_place_on_offer_moves_the_ghost(page: Page) -> None:
+def test_another_place_on_offer_can_be_chosen_by_its_number(page: Page) -> None:
     ask_for_a_sofa(page)
-    sentence = first_steps(page).locator("p").first
-    first = sentence.inner_text()
+    places = page.get_by_role("list", name="Good places").get_by_role("button")
+    expect(places).to_have_count(5)
+    expect(places.nth(0)).to_have_attribute("aria-pressed", "true")
     page.keyboard.press("2")
-    expect(sentence).not_to_have_text(first)
-    expect(sentence).to_have_text(WHERE)
+    expect(places.nth(1)).to_have_attribute("aria-pressed", "true")
+    expect(places.nth(0)).to_have_attribute("aria-pressed", "false")
 
 
 def test_manual_keeps_the_object_and_its_size(desktop: Page) -> None:
