@@ -1,11 +1,15 @@
-"""Plants, lamps, vases and rugs."""
+"""Plants, rugs, vases and the like."""
 
 from __future__ import annotations
 
 from dataclasses import replace
 from math import cos, pi, sin
 
+import numpy as np
+
 from scenegen_core.scene.model import Vector3
+from server.furniture import lamps
+from server.furniture.cushions import cushion
 from server.furniture.design import Design, Parts, named
 from server.furniture.materials import (
     BRASS,
@@ -13,7 +17,7 @@ from server.furniture.materials import (
     CLAY,
     LEAF,
     LINEN,
-    SHADE,
+    PAINT,
     SOIL,
     STONEWARE,
     TERRACOTTA,
@@ -22,29 +26,36 @@ from server.furniture.materials import (
 )
 from server.furniture.parts import block, lathe, leaf, tube
 
-RUG_HEIGHT = 0.05  # metres
-THIN = 4.0  # height over width; taller things that thin are floor lamps
+RUG_HEIGHT, RUG_WIDTH = 0.05, 0.3  # metres; rugs are flatter and wider
+LOW, SLIM, THIN = 0.7, 1.3, 4.0  # height over width of bowls, vases, floor lamps
+FLAT = 0.25  # depth over width of what hangs
 TALL = 0.6  # metres; what is taller stands on the floor
 RUG_STRIPES = (0.0, 0.09, 0.105, 0.13, 0.14)  # metres from the edge, on a rug of a metre or more
 LEAVES = 34
+MOST_FOLDS = 14
+FRUIT = tuple(linear(color) for color in ("#d9a441", "#c8623f", "#9aa65a"))
 GREENS = tuple(linear(color) for color in ("#7f9c66", "#6b8c58", "#90ab74", "#5f8052", "#86a06f"))
 
 
 def choose(size: Vector3, label: str) -> Design:
     """The piece for the size (depth, width, height) and label."""
+    labelled = (design for words, design in NAMED if named(label, *words))
+    return next(labelled, None) or lamps.choose(size, label) or _by_proportions(size)
+
+
+def _by_proportions(size: Vector3) -> Design:
+    """What has about these proportions."""
     depth, width, height = size
     wide = max(depth, width)
-    if named(label, "rug", "carpet", "mat") or (height < RUG_HEIGHT and wide > 4 * height):
+    if height < RUG_HEIGHT and wide > RUG_WIDTH:
         return RUG
-    if named(label, "plant", "flower", "tree"):
-        return PLANT
-    if named(label, "lamp", "light"):
-        return FLOOR_LAMP if height > TALL else TABLE_LAMP
-    if named(label, "vase"):
-        return VASE
-    if height > TALL:
-        return FLOOR_LAMP if height > THIN * wide else PLANT
-    return VASE if height > 1.3 * wide else TABLE_LAMP
+    if height < LOW * wide:
+        return BOWL
+    if height < TALL:
+        return VASE if height > SLIM * wide else lamps.TABLE_LAMP
+    if depth < FLAT * width:
+        return CURTAIN
+    return lamps.FLOOR_LAMP if height > THIN * wide else PLANT
 
 
 def plant(w: float, h: float, d: float) -> Parts:
@@ -81,44 +92,6 @@ def plant(w: float, h: float, d: float) -> Parts:
         yield LEAF, replace(blade, color=GREENS[number % len(GREENS)])
 
 
-def floor_lamp(w: float, h: float, d: float) -> Parts:
-    """A shade on a slim stem."""
-    r, squash = w / 2, d / w
-    shade = min(0.2 * h, 1.1 * w)
-    foot = 0.75 * r
-    yield (
-        BRASS,
-        lathe(
-            [(0, 0), (foot, 0), (foot, 0.012), (0.9 * foot, 0.02), (0.016, 0.03)],
-            sides=28,
-            squash=squash,
-        ),
-    )
-    yield BRASS, tube((0, 0.01, 0), (0, h - 0.5 * shade, 0), 0.011, 0.009)
-    yield from _shade(r, h - shade, h, squash)
-
-
-def table_lamp(w: float, h: float, d: float) -> Parts:
-    """A shade on a round ceramic foot."""
-    r, squash = w / 2, d / w
-    body, b = 0.5 * h, 0.55 * r
-    rows = [
-        (0, 0),
-        (0.5, 0),
-        (0.55, 0.04),
-        (0.85, 0.2),
-        (1.0, 0.42),
-        (0.9, 0.65),
-        (0.55, 0.85),
-        (0.25, 0.95),
-        (0.2, 1.0),
-        (0, 1.0),
-    ]
-    yield STONEWARE, lathe([(b * a, body * y) for a, y in rows], squash=squash)
-    yield BRASS, tube((0, body - 0.005, 0), (0, 0.75 * h, 0), 0.05 * r, 0.05 * r)
-    yield from _shade(r, 0.53 * h, h, squash)
-
-
 def vase(w: float, h: float, d: float) -> Parts:
     """A stoneware vase."""
     r = w / 2
@@ -141,6 +114,48 @@ def vase(w: float, h: float, d: float) -> Parts:
     yield CERAMIC, lathe([(r * a, h * b) for a, b in rows], sides=28, squash=d / w)
 
 
+def bowl(w: float, h: float, d: float) -> Parts:
+    """A bowl with some fruit in it."""
+    r = w / 2
+    rows = [
+        (0, 0),
+        (0.4, 0),
+        (0.45, 0.06),
+        (0.85, 0.45),
+        (1.0, 0.8),
+        (0.95, 0.8),
+        (0.75, 0.45),
+        (0, 0.3),
+    ]
+    yield STONEWARE, lathe([(r * a, h * b) for a, b in rows], sides=28, squash=d / w)
+    ball = 0.3 * min(r, 0.8 * h)
+    circle = [(ball * sin(turn), ball * (1 - cos(turn))) for turn in np.linspace(0, pi, 9)]
+    around = [(0.42 * sin(turn), 0.42 * cos(turn)) for turn in np.arange(5) * 0.4 * pi]
+    for number, (x, z) in enumerate([*around, (0.0, 0.0)]):
+        low = 0.42 * h if (x, z) in around else h - 2 * ball
+        fruit = lathe(circle, x * r, z * d / 2, sides=10).moved(y=low)
+        yield PAINT, replace(fruit, color=FRUIT[number % len(FRUIT)])
+
+
+def curtain(w: float, h: float, d: float) -> Parts:
+    """Cloth in folds on a rod."""
+    folds = min(MOST_FOLDS, max(4, round(w / 0.11)))
+    step = w / folds
+    for number in range(folds):
+        x = -w / 2 + number * step
+        front = (number % 2) * 0.25 * d
+        yield (
+            LINEN,
+            cushion(
+                (x - 0.1 * step, x + 1.1 * step),
+                (0, h - 0.02),
+                (-d / 2 + front, d / 4 + front),
+                0.45 * step,
+            ),
+        )
+    yield BRASS, tube((-w / 2, h - 0.015, 0), (w / 2, h - 0.015, 0), 0.015, 0.015)
+
+
 def rug(w: float, h: float, d: float) -> Parts:
     """A flat rug with two thin stripes round it."""
     x, z = w / 2, d / 2
@@ -151,14 +166,15 @@ def rug(w: float, h: float, d: float) -> Parts:
         yield material, block(*span, 0.003)
 
 
-def _shade(r: float, low: float, high: float, squash: float) -> Parts:
-    """A cone of cloth, open below and above."""
-    cone = lathe([(r, low), (0.7 * r, high)], sides=28, squash=squash)
-    yield SHADE, cone.both_sides()
-
-
 RUG = Design("rug", rug, (0.3, 0.3, 0.01), (5.0, 5.0, 0.04))
 PLANT = Design("plant", plant, (0.15, 0.15, 0.25), (1.6, 1.6, 2.6))
-FLOOR_LAMP = Design("floor lamp", floor_lamp, (0.15, 0.15, 0.6), (1.2, 1.2, 2.4))
-TABLE_LAMP = Design("table lamp", table_lamp, (0.08, 0.08, 0.1), (0.8, 0.8, 0.9))
 VASE = Design("vase", vase, (0.05, 0.05, 0.08), (0.6, 0.6, 1.0))
+BOWL = Design("bowl", bowl, (0.1, 0.1, 0.05), (0.8, 0.8, 0.4))
+CURTAIN = Design("curtain", curtain, (0.04, 0.3, 0.4), (0.4, 3.0, 3.5))
+NAMED: tuple[tuple[tuple[str, ...], Design], ...] = (
+    (("rug", "carpet"), RUG),
+    (("plant", "flower", "tree"), PLANT),
+    (("vase",), VASE),
+    (("bowl",), BOWL),
+    (("curtain", "blind", "drape"), CURTAIN),
+)

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from math import pi
+
 from scenegen_core.scene.model import Vector3
 from server.furniture.cushions import cushion
 from server.furniture.design import Design, Parts, named
@@ -46,13 +48,44 @@ def washing_machine(w: float, h: float, d: float) -> Parts:
     ring = lathe([(0, 0), (r, 0), (1.0 * r, 0.012), (0.9 * r, 0.02), (0.72 * r, 0.012)], sides=28)
     glass = lathe([(0.75 * r, 0.01), (0.5 * r, 0.004), (0, 0.002)], sides=28)
     for material, mesh in ((STEEL, ring), (GRAPHITE, glass)):
-        front = mesh.leaning(1.5707963267948966, 0.0, 0.0)
+        front = mesh.leaning(pi / 2, 0.0, 0.0)
         yield material, front.moved(y=y, z=d / 2 - 0.02)
     yield (
         WARM_GREY,
         block((-0.45 * w, 0.45 * w), (0.86 * h, 0.96 * h), (d / 2 - 0.03, d / 2 - 0.014)),
     )
     yield STEEL, block((0.2 * w, 0.27 * w), (0.88 * h, 0.94 * h), (d / 2 - 0.02, d / 2 - 0.005))
+
+
+def cooker(w: float, h: float, d: float) -> Parts:
+    """An oven under four plates."""
+    yield MATTE_WHITE, block((-w / 2, w / 2), (0, h - 0.01), (-d / 2, d / 2 - 0.05), 0.01)
+    yield (
+        GRAPHITE,
+        block((-w / 2 + 0.01, w / 2 - 0.01), (h - 0.02, h - 0.003), (-d / 2, d / 2 - 0.05)),
+    )
+    for side, end in ((-1, -1), (1, -1), (-1, 1), (1, 1)):
+        r = 0.17 * w if side == end else 0.13 * w
+        yield (
+            STEEL,
+            lathe(
+                [(r, h - 0.004), (r, h), (0.85 * r, h), (0.8 * r, h - 0.002)],
+                0.24 * side * w,
+                0.22 * end * d - 0.02,
+                sides=24,
+            ),
+        )
+    front = (d / 2 - 0.06, d / 2 - 0.035)
+    yield MATTE_WHITE, block((-0.47 * w, 0.47 * w), (0.18 * h, 0.76 * h), front)
+    yield (
+        GRAPHITE,
+        block((-0.38 * w, 0.38 * w), (0.26 * h, 0.64 * h), (d / 2 - 0.05, d / 2 - 0.032)),
+    )
+    yield STEEL, block((-0.4 * w, 0.4 * w), (0.69 * h, 0.71 * h), (d / 2 - 0.04, d / 2 - 0.005))
+    for number in range(5):
+        knob = lathe([(0, 0), (0.02, 0), (0.018, 0.025), (0, 0.025)], sides=12)
+        x = (number - 2) * 0.16 * w
+        yield STEEL, knob.leaning(pi / 2, 0, 0).moved(x, 0.87 * h, d / 2 - 0.055)
 
 
 def toilet(w: float, h: float, d: float) -> Parts:
@@ -152,6 +185,7 @@ DESIGNS: tuple[tuple[tuple[str, ...], Design], ...] = (
         ("washing machine", "washer", "dryer"),
         Design("washing machine", washing_machine, (0.35, 0.4, 0.5), (0.9, 0.9, 1.3)),
     ),
+    (("cooker", "stove", "oven"), Design("cooker", cooker, (0.4, 0.4, 0.6), (1.0, 1.2, 1.2))),
     (("toilet",), Design("toilet", toilet, (0.45, 0.3, 0.5), (1.0, 0.7, 1.2))),
     (("bath", "tub"), Design("bath", bath, (0.5, 0.5, 0.3), (2.4, 2.4, 1.0))),
     (("sink", "basin"), Design("sink", sink, (0.3, 0.3, 0.5), (0.8, 2.0, 1.3))),

@@ -16,7 +16,7 @@ from server.furniture.materials import COTTON, GRAPHITE, MIRROR, OAK, PAINT, SCR
 from server.furniture.mesh import Mesh
 from server.furniture.parts import Span, block, polygon
 
-FOOT = 0.12  # metres; the least depth on which a screen can stand
+FOOT = 0.07  # metres; the least depth on which a screen can stand
 PALETTES = tuple(
     tuple(linear(color) for color in colors)
     for colors in (
@@ -132,7 +132,7 @@ def _disc(x: float, y: float, radius: float, aspect: float) -> list[tuple[float,
     return [(x + across * cos(turn), y + up * sin(turn)) for turn in turns]
 
 
-SCREEN_ON_FOOT = Design("television", screen, (0.1, 0.4, 0.3), (0.4, 3.0, 1.8))
+SCREEN_ON_FOOT = Design("television", screen, (0.07, 0.4, 0.3), (0.4, 3.0, 1.8))
 WALL_SCREEN = Design("wall television", wall_screen, (0.03, 0.4, 0.25), (0.15, 3.0, 1.8))
 PICTURE = Design("picture", picture, (0.015, 0.15, 0.15), (0.08, 3.0, 3.0))
 MIRROR_ON_WALL = Design("mirror", mirror, (0.015, 0.15, 0.15), (0.08, 3.0, 3.0))

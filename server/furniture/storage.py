@@ -18,16 +18,16 @@ GAP = 0.004  # metres between doors
 
 def choose(size: Vector3, label: str) -> Design:
     """The storage for the size (depth, width, height) and label."""
+    labelled = (design for words, design in NAMED if named(label, *words))
+    return next(labelled, None) or _by_proportions(size)
+
+
+def _by_proportions(size: Vector3) -> Design:
+    """What has about these proportions."""
     _, width, height = size
-    if named(label, "shel", "book", "rack"):
-        return BOOKCASE
-    if named(label, "kitchen", "counter"):
-        return KITCHEN
     if height >= TALL:
         return WARDROBE
-    if named(label, "drawer", "dresser", "commode"):
-        return DRAWERS
-    if named(label, "nightstand", "bedside") or max(width, height) < SMALL:
+    if max(width, height) < SMALL:
         return NIGHTSTAND
     return SIDEBOARD if width > height else DRAWERS
 
@@ -136,6 +136,22 @@ def kitchen(w: float, h: float, d: float) -> Parts:
         )
 
 
+def wall_cabinet(w: float, h: float, d: float) -> Parts:
+    """Doors only, with their grips below."""
+    yield MATTE_WHITE, block((-w / 2, w / 2), (0.01, h), (-d / 2, d / 2 - 0.03))
+    count = min(8, max(1, round(w / DOOR)))
+    width = w / count
+    for number in range(count):
+        x = (-w / 2 + number * width, -w / 2 + (number + 1) * width)
+        yield from _door(x, (0, h), d / 2 - 0.01, MATTE_WHITE)
+        yield (
+            BRASS,
+            block(
+                (sum(x) / 2 - 0.06, sum(x) / 2 + 0.06), (0.03, 0.042), (d / 2 - 0.012, d / 2), 0.003
+            ),
+        )
+
+
 def _door(x: Span, y: Span, front: float, material: Material) -> Parts:
     """A flat door whose face is at z = front."""
     yield material, block((x[0] + GAP / 2, x[1] - GAP / 2), y, (front - FRONT, front), 0.004)
@@ -172,4 +188,14 @@ WARDROBE = Design("wardrobe", wardrobe, (0.3, 0.35, 1.2), (1.0, 4.0, 3.0))
 SIDEBOARD = Design("sideboard", sideboard, (0.25, 0.6, 0.3), (0.8, 3.5, 1.3))
 NIGHTSTAND = Design("nightstand", nightstand, (0.2, 0.22, 0.25), (0.8, 1.0, 1.0))
 DRAWERS = Design("chest of drawers", drawers, (0.25, 0.3, 0.45), (0.8, 2.4, 2.0))
+WALL_CABINET = Design("wall cabinet", wall_cabinet, (0.15, 0.25, 0.2), (0.8, 4.0, 1.6))
 KITCHEN = Design("kitchen cabinet", kitchen, (0.3, 0.3, 0.4), (1.0, 5.0, 1.2))
+NAMED: tuple[tuple[tuple[str, ...], Design], ...] = (
+    (("shelf", "shelv", "book", "rack"), BOOKCASE),
+    (("upper", "hanging", "wall cabinet"), WALL_CABINET),
+    (("kitchen", "counter"), KITCHEN),
+    (("wardrobe", "closet"), WARDROBE),
+    (("drawer", "dresser", "commode", "filing"), DRAWERS),
+    (("nightstand", "bedside"), NIGHTSTAND),
+    (("tv unit", "sideboard"), SIDEBOARD),
+)

@@ -22,11 +22,11 @@ CATEGORIES = (*(category.name for category in PAPER_CATEGORIES), "Spaceship")
 LABELS = {
     "Bed": ("bunk bed",),
     "Chair": ("stool", "pouf", "office chair", "armchair"),
-    "Decor": ("plant", "floor lamp", "vase", "rug"),
-    "Other": ("refrigerator", "washing machine", "toilet", "bathtub", "sink"),
+    "Decor": ("plant", "floor lamp", "vase", "rug", "bowl", "curtain", "pendant", "table lamp"),
+    "Other": ("refrigerator", "cooker", "washing machine", "toilet", "bathtub", "sink"),
     "Picture": ("mirror",),
     "Sofa": ("corner sofa",),
-    "Storage": ("bookshelf", "nightstand", "dresser", "kitchen cabinet"),
+    "Storage": ("bookshelf", "nightstand", "dresser", "kitchen cabinet", "upper cabinet"),
     "Table": ("round table", "desk", "coffee table"),
 }
 SIZES: tuple[Vector3, ...] = (
@@ -172,6 +172,10 @@ def test_wider_beds_have_two_pillows_and_wider_sofas_more_seats() -> None:
         ("Decor", (0.35, 0.35, 1.6), "", "floor lamp"),
         ("Decor", (2.0, 3.0, 0.02), "", "rug"),
         ("Decor", (0.2, 0.2, 0.35), "", "vase"),
+        ("Decor", (0.3, 0.3, 0.14), "", "bowl"),
+        ("Decor", (0.1, 1.5, 2.2), "", "curtain"),
+        ("Decor", (0.3, 0.3, 0.5), "Desk lamp", "table lamp"),
+        ("Decor", (0.4, 0.4, 0.5), "Pendant lamp", "pendant lamp"),
         ("Picture", (0.03, 0.5, 1.4), "mirror", "mirror"),
         ("Other", (0.7, 0.7, 1.8), "Refrigerator", "refrigerator"),
         ("Other", (0.7, 0.7, 0.7), "", "object"),
