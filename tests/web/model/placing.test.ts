@@ -181,6 +181,31 @@ describe("Manual", () => {
     expect(picture.placing?.pose?.center).toEqual([2.5, 0.02, 1.5]);
   });
 
+  test("a TV stands on the sideboard that it is put over, and hangs where there is none", () => {
+    const sideboard = box("s", {
+      category: "Storage",
+      center: [2.5, 2, 0.3],
+      size: [0.4, 1.6, 0.6],
+    });
+    const tv = { mode: "manual", category: "TV", size: [0.1, 1.2, 0.7] } as const;
+    const onTop = play(begin([sideboard]), place({ ...tv, view: [2.5, 2] }));
+    expect(onTop.placing?.pose?.center[2]).toBeCloseTo(0.95, 12);
+    const hung = play(begin([sideboard]), place({ ...tv, view: [1, 3.5] }));
+    expect(hung.placing?.pose?.center).toEqual([1, 3.95, 1.1]);
+  });
+
+  test("a TV that is dragged along its wall keeps its height, in the room it stands", () => {
+    const tv = place({ mode: "manual", category: "TV", size: [0.1, 1.2, 0.7], view: [1, 3.5] });
+    const hung = play(begin(), tv);
+    const slid = play(hung, {
+      type: "drag-ghost",
+      pose: { center: [3, 3.95, 1.3], heading: -Math.PI / 2 },
+      done: true,
+    });
+    expect(slid.placing?.pose?.center[2]).toBe(1.3);
+    expect(play(hung, dragTo(2.5, 2)).placing?.pose?.center[2]).toBeCloseTo(0.35, 12);
+  });
+
   test("a lamp stands on the table that it is put over, and comes down beside it", () => {
     const table = box("table", { center: [2.5, 2, 0.4], size: [0.8, 1.2, 0.8] });
     const lamp = place({

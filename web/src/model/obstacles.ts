@@ -1,7 +1,10 @@
 /** What keeps a thing from standing where it is. */
 import type { BoxRecord, SceneRecord } from "../net/protocol.gen";
-import { CONTACT, overlap, standsInside, topOf } from "./footprints";
+import { overlap, standsInside, topOf } from "./footprints";
 import { OTHER } from "./labels";
+
+/** Ceilings are measured no more exactly than this, metres; RESTS of scenegen_core. */
+const CEILING = 0.05;
 
 export type Obstacle =
   | { readonly kind: "wall" }
@@ -21,7 +24,7 @@ const NATURAL: readonly (readonly [string, string])[] = [
 /** The first thing in the way of a box, its own former self excepted; null if nothing is. */
 export function obstacleOf(scene: SceneRecord, box: BoxRecord): Obstacle | null {
   if (!standsInside(box, scene.room)) return { kind: "wall" };
-  if (topOf(box) > scene.room.height + CONTACT) return { kind: "ceiling" };
+  if (topOf(box) > scene.room.height + CEILING) return { kind: "ceiling" };
   const hit = scene.boxes.find(
     (other) => other.id !== box.id && !isNatural(box, other) && overlap(box, other),
   );
