@@ -67,7 +67,7 @@ export class AlternativesView implements Part {
     const { center, heading, rank } = placement;
     const bottom = center[2] - size[2] / 2;
     const flat = { id: "", category: "", heading };
-    const low = Math.min(size[2], 0.02);
+    const low = 0.001;
     lines.show(
       {
         ...flat,

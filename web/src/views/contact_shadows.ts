@@ -13,6 +13,7 @@ import { bottomOf, headingOf } from "../model/footprints";
 import type { BoxRecord } from "../net/protocol.gen";
 
 const REACH = 0.22; // metres the shadow goes beyond the footprint
+const DARKNESS = 0.4; // of the floor directly below
 const NO_SHADOW_ABOVE = 0.6; // metres over the floor
 const LIFT = 0.004; // metres over the floor, so that the two do not flicker
 
@@ -67,9 +68,9 @@ export class ContactShadows {
   show(boxes: readonly BoxRecord[]): void {
     let count = 0;
     for (const box of boxes.slice(0, this.#extents.count)) {
-      const strength = 0.5 * (1 - bottomOf(box) / NO_SHADOW_ABOVE);
+      const strength = DARKNESS * (1 - bottomOf(box) / NO_SHADOW_ABOVE);
       if (strength > 0) {
-        this.#put(count, box, Math.min(strength, 0.5));
+        this.#put(count, box, Math.min(strength, DARKNESS));
         count += 1;
       }
     }

@@ -50,8 +50,8 @@ export class FurnitureView implements Part {
 
   /** Which box the pointer is over. */
   hover(id: string | null): void {
-    if (id !== this.#hover && this.#state) {
-      this.#hover = id;
+    this.#hover = id;
+    if (this.#state) {
       this.#outline(this.#state);
     }
   }

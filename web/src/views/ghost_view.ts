@@ -49,7 +49,7 @@ export class GhostView implements Part {
     const color = mayStand(state) ? ACCENT : FORBIDDEN;
     this.#arrow.material.color.set(color);
     if (this.#box) {
-      this.#lines.show(this.#box, { color, width: 2.5, dashed: false, fill: 0.2 });
+      this.#lines.show(this.#box, { color, width: 1.8, dashed: false, fill: 0.2 });
       this.#model?.show(this.#box, placing.asset ? this.#solids.get(placing.asset) : null);
       this.#shadow.show([this.#box]);
     }

@@ -3,6 +3,7 @@ import {
   Group,
   Mesh,
   MeshBasicMaterial,
+  MeshLambertMaterial,
   MeshStandardMaterial,
   Shape,
   ShapeGeometry,
@@ -34,7 +35,7 @@ const MARGIN = 0.05; // metres the eye must be behind a wall before it goes
 /** What of a wall fades when it stands between the eye and the room. */
 interface Upper {
   readonly wall: Wall;
-  readonly mesh: Mesh<BufferGeometry, MeshStandardMaterial>;
+  readonly mesh: Mesh<BufferGeometry, MeshLambertMaterial>;
   readonly glass: Mesh<BufferGeometry, MeshBasicMaterial> | null;
   opacity: number;
 }
@@ -44,7 +45,7 @@ export class RoomView implements Part {
   readonly root = new Group();
   readonly #oak = oakTexture();
   readonly #floorMaterial = new MeshStandardMaterial({ map: this.#oak, roughness: 0.62 });
-  readonly #lowMaterial = new MeshStandardMaterial({ vertexColors: true, roughness: 0.9 });
+  readonly #lowMaterial = new MeshLambertMaterial({ vertexColors: true });
   readonly #eye = new Vector3();
   #room: RoomRecord | null = null;
   #look: Look;
@@ -130,11 +131,7 @@ export class RoomView implements Part {
     for (const window of windows) {
       addWindow(faces, wall, window, this.#look);
     }
-    const material = new MeshStandardMaterial({
-      vertexColors: true,
-      roughness: 0.9,
-      transparent: true,
-    });
+    const material = new MeshLambertMaterial({ vertexColors: true, transparent: true });
     const mesh = new Mesh(faces.geometry(), material);
     mesh.receiveShadow = true;
     this.root.add(mesh);

@@ -1,14 +1,20 @@
 import { Group } from "three";
 import type { Assets } from "../contract";
+import type { Segment } from "../model/geometry";
 import type { State } from "../model/state";
 import { AlternativesView } from "./alternatives_view";
 import { CORE_IN_PAGE } from "./axes";
+import { DraftView } from "./draft_view";
 import { FurnitureView } from "./furniture_view";
 import { GhostView } from "./ghost_view";
+import { GraphView } from "./graph_view";
+import { HandlesView } from "./handles_view";
 import { HeatView } from "./heat_view";
+import { LabelsView } from "./labels_view";
 import { Lights } from "./lights";
 import type { Look } from "./palette";
 import type { Eye, Part } from "./part";
+import { ProbeView } from "./probe_view";
 import { RoomView } from "./room_view";
 import { Solids } from "./solids";
 
@@ -18,11 +24,14 @@ import { Solids } from "./solids";
  */
 export class Scenery implements Part {
   readonly root = new Group();
-  readonly furniture: FurnitureView;
+  readonly #furniture: FurnitureView;
+  readonly #draft: DraftView;
+  readonly #graph: GraphView;
   readonly #solids: Solids;
   readonly #parts: readonly Part[];
   readonly #lit: readonly { relight(look: Look): void }[];
   #state: State | null = null;
+  #hovered: string | null = null;
 
   constructor(assets: Assets, look: Look, changed: () => void) {
     this.root.matrixAutoUpdate = false;
@@ -36,16 +45,25 @@ export class Scenery implements Part {
     const lights = new Lights(look);
     const room = new RoomView(look);
     const alternatives = new AlternativesView(look);
-    this.furniture = new FurnitureView(this.#solids);
+    const labels = new LabelsView(look);
+    const probe = new ProbeView(look);
+    this.#furniture = new FurnitureView(this.#solids);
+    this.#draft = new DraftView(look);
+    this.#graph = new GraphView(look);
     this.#parts = [
       lights,
       room,
-      this.furniture,
+      this.#furniture,
       new HeatView(),
       alternatives,
       new GhostView(this.#solids),
+      labels,
+      this.#graph,
+      this.#draft,
+      new HandlesView(),
+      probe,
     ];
-    this.#lit = [lights, room, alternatives];
+    this.#lit = [lights, room, alternatives, labels, this.#graph, this.#draft, probe];
     for (const part of this.#parts) {
       this.root.add(part.root);
     }
@@ -56,6 +74,22 @@ export class Scenery implements Part {
     for (const part of this.#parts) {
       part.show(state);
     }
+  }
+
+  /** Which box is pointed at; true if that is news. */
+  hover(id: string | null): boolean {
+    if (id === this.#hovered) {
+      return false;
+    }
+    this.#hovered = id;
+    this.#furniture.hover(id);
+    this.#graph.hover(id);
+    return true;
+  }
+
+  /** What the thing that is dragged has snapped to. */
+  guide(guides: readonly Segment[]): void {
+    this.#draft.guide(guides);
   }
 
   /** For another time of the day. */

@@ -5,10 +5,13 @@ import { Cameras } from "./cameras";
 import type { Insets } from "./framing";
 import { addReflections } from "./lights";
 import { DAY, DUSK, type Look } from "./palette";
+import { type Pad, Pointer } from "./pointer";
+import { Resolution } from "./resolution";
 import { Scenery } from "./scenery";
+import { Sight } from "./sight";
 
-const MAX_PIXEL_RATIO = 2;
-const MAX_STEP = 0.1; // seconds; a longer pause is not caught up with
+const FIRST_STEP = 1 / 60; // seconds, after a rest
+const MAX_STEP = 0.25; // seconds; a longer pause is not caught up with
 
 /** What the last frame cost; for tests. */
 export interface StageInfo {
@@ -27,20 +30,24 @@ export interface StageInfo {
 export class Stage implements StageView {
   readonly #host: HTMLElement;
   readonly #renderer: WebGLRenderer;
+  readonly #resolution: Resolution;
   readonly #scene = new Scene();
   readonly #cameras: Cameras;
   readonly #scenery: Scenery;
+  readonly #pointer: Pointer;
   readonly #dark = matchMedia("(prefers-color-scheme: dark)");
   readonly #listening = new AbortController();
   readonly #observer: ResizeObserver;
   #removeReflections: () => void;
   #request = 0;
   #last = 0;
+  #moving = false;
   #frames = 0;
 
   constructor(host: HTMLElement, dispatch: (action: Action) => void, assets: Assets) {
     this.#host = host;
     this.#renderer = createRenderer();
+    this.#resolution = new Resolution(this.#renderer);
     const canvas = this.#renderer.domElement;
     canvas.tabIndex = 0;
     canvas.setAttribute("role", "img");
@@ -49,11 +56,14 @@ export class Stage implements StageView {
       "display:block;width:100%;height:100%;touch-action:none;outline-offset:-3px";
     host.append(canvas);
     const look = this.#look();
-    this.#scenery = new Scenery(assets, look, () => this.invalidate());
+    this.#scenery = new Scenery(assets, look, () => {
+      this.#renderer.shadowMap.needsUpdate = true;
+      this.invalidate();
+    });
     this.#scene.add(this.#scenery.root);
     this.#removeReflections = addReflections(this.#renderer, this.#scene);
     this.#cameras = new Cameras(canvas, () => this.invalidate());
-    void dispatch;
+    this.#pointer = this.#createPointer(canvas, dispatch);
     this.#relight(look);
     this.#listen(canvas);
     this.#observer = new ResizeObserver(() => this.#resize());
@@ -63,7 +73,9 @@ export class Stage implements StageView {
 
   show(state: State): void {
     this.#cameras.show(state);
+    this.#pointer.show(state);
     this.#scenery.show(state);
+    this.#renderer.shadowMap.needsUpdate = true;
     this.invalidate();
   }
 
@@ -73,6 +85,7 @@ export class Stage implements StageView {
 
   /** Draws once more and keeps that frame: a canvas forgets its picture once it is shown. */
   picture(): Promise<Blob> {
+    this.#resolution.rested();
     this.#draw(0);
     return new Promise((resolve, reject) => {
       this.#renderer.domElement.toBlob((blob) => {
@@ -108,6 +121,7 @@ export class Stage implements StageView {
     cancelAnimationFrame(this.#request);
     this.#listening.abort();
     this.#observer.disconnect();
+    this.#pointer.dispose();
     this.#cameras.dispose();
     this.#scenery.dispose();
     this.#removeReflections();
@@ -115,11 +129,35 @@ export class Stage implements StageView {
     this.#renderer.domElement.remove();
   }
 
+  #createPointer(element: HTMLElement, dispatch: (action: Action) => void): Pointer {
+    const sight = new Sight(element);
+    const pad: Pad = {
+      element,
+      ray: (x, y) => sight.ray(this.#cameras.active, x, y),
+      place: (at) => sight.place(this.#cameras.active, at),
+      hold: (held) => this.#cameras.hold(held),
+      hover: (id) => {
+        if (this.#scenery.hover(id)) {
+          this.invalidate();
+        }
+      },
+      guide: (guides) => {
+        this.#scenery.guide(guides);
+        this.invalidate();
+      },
+    };
+    return new Pointer(pad, dispatch);
+  }
+
   #frame(now: number): void {
     this.#request = 0;
-    const pause = (now - this.#last) / 1000;
+    const elapsed = this.#moving ? Math.min((now - this.#last) / 1000, MAX_STEP) : FIRST_STEP;
     this.#last = now;
-    if (this.#draw(pause > MAX_STEP * 5 ? 0.016 : Math.min(pause, MAX_STEP))) {
+    if (this.#moving) {
+      this.#resolution.moved(elapsed);
+    }
+    this.#moving = this.#draw(elapsed);
+    if (this.#moving || this.#resolution.rested()) {
       this.invalidate();
     }
   }
@@ -159,6 +197,7 @@ export class Stage implements StageView {
     this.#scene.background = new Color(look.background);
     this.#scene.environmentIntensity = look.environment;
     this.#renderer.toneMappingExposure = look.exposure;
+    this.#renderer.shadowMap.needsUpdate = true;
     this.#scenery.relight(look);
     this.invalidate();
   }
@@ -168,7 +207,7 @@ export class Stage implements StageView {
     if (this.#renderer.xr.isPresenting || clientWidth === 0 || clientHeight === 0) {
       return;
     }
-    this.#renderer.setPixelRatio(Math.min(devicePixelRatio, MAX_PIXEL_RATIO));
+    this.#resolution.apply();
     this.#renderer.setSize(clientWidth, clientHeight, false);
     this.#cameras.setInsets(insetsOf(document.documentElement));
     this.invalidate();
@@ -176,10 +215,14 @@ export class Stage implements StageView {
 }
 
 function createRenderer(): WebGLRenderer {
-  const renderer = new WebGLRenderer({ antialias: true, powerPreference: "high-performance" });
+  const renderer = new WebGLRenderer({
+    antialias: devicePixelRatio < 2,
+    powerPreference: "high-performance",
+  });
   renderer.toneMapping = ACESFilmicToneMapping;
   renderer.shadowMap.enabled = true;
   renderer.shadowMap.type = PCFShadowMap;
+  renderer.shadowMap.autoUpdate = false;
   return renderer;
 }
 

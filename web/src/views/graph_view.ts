@@ -1,0 +1,148 @@
+import { Group } from "three";
+import type { State, Vector3 } from "../model/state";
+import type { Graph, GraphEdge, GraphNode } from "../net/protocol.gen";
+import { arc, crest, edgesOf, lanes, placeOf } from "./graph_layout";
+import { Notes } from "./notes";
+import type { Look } from "./palette";
+import type { Eye, Part } from "./part";
+import { relationLook } from "./relation_looks";
+import { Strokes } from "./strokes";
+import { TextSprite } from "./text_sprite";
+
+const MANY = 0.5; // opacity of the lines when all of them are shown
+const MAX_NOTES = 14;
+
+/** The scene graph over the room; one node's own relations when it is selected or hovered. */
+export class GraphView implements Part {
+  readonly root = new Group();
+  readonly #strokes = new Map<string, Strokes>();
+  readonly #nodes: TextSprite[] = [];
+  readonly #notes = new Notes();
+  #look: Look;
+  #state: State | null = null;
+  #hover: string | null = null;
+  #drawn: readonly unknown[] = [];
+
+  constructor(look: Look) {
+    this.#look = look;
+    this.root.add(this.#notes.root);
+    this.root.visible = false;
+  }
+
+  relight(look: Look): void {
+    this.#look = look;
+    this.#drawn = [];
+  }
+
+  show(state: State): void {
+    this.#state = state;
+    const { graph, shown, selection } = state;
+    this.root.visible = shown.graph && graph !== null;
+    if (!this.root.visible || graph === null) {
+      return;
+    }
+    const chosen = selection?.kind === "box" ? selection.id : this.#hover;
+    const node = chosen === null ? null : (graph.nodes.find(isBox(chosen))?.id ?? null);
+    const drawn = [graph, shown.hiddenRelations, node];
+    if (drawn.some((part, i) => part !== this.#drawn[i])) {
+      this.#drawn = drawn;
+      this.#draw(graph, shown.hiddenRelations, node);
+    }
+  }
+
+  /** Which box the pointer is over. */
+  hover(id: string | null): void {
+    this.#hover = id;
+    if (this.#state) {
+      this.show(this.#state);
+    }
+  }
+
+  update(eye: Eye): boolean {
+    if (this.root.visible) {
+      this.#notes.fit(eye);
+      for (const node of this.#nodes) {
+        node.fit(eye);
+      }
+    }
+    return false;
+  }
+
+  dispose(): void {
+    for (const part of [...this.#strokes.values(), ...this.#nodes, this.#notes]) {
+      part.dispose();
+    }
+    this.#strokes.clear();
+  }
+
+  #draw(graph: Graph, hidden: readonly string[], node: string | null): void {
+    const edges = edgesOf(graph, hidden, node);
+    const places = new Map(graph.nodes.map((one) => [one.id, placeOf(one)]));
+    const lane = lanes(edges);
+    const byRelation = new Map<string, Vector3[]>();
+    edges.forEach((edge, i) => {
+      const [from, to] = [places.get(edge.source), places.get(edge.target)];
+      if (from && to) {
+        const ends = byRelation.get(edge.relation) ?? [];
+        byRelation.set(edge.relation, ends.concat(arc(from, to, lane[i] ?? 0)));
+      }
+    });
+    this.#stroke(byRelation, node === null ? MANY : 1);
+    this.#notes.show(node === null ? [] : notesOf(edges, lane, places), {
+      size: 12,
+      color: this.#look.labelText,
+      background: this.#look.label,
+    });
+    this.#showNodes(graph.nodes.filter(({ kind }) => kind !== "object"));
+  }
+
+  #stroke(byRelation: ReadonlyMap<string, Vector3[]>, opacity: number): void {
+    for (const relation of byRelation.keys()) {
+      if (!this.#strokes.has(relation)) {
+        const strokes = new Strokes({ ...relationLook(relation), width: 2 });
+        this.#strokes.set(relation, strokes);
+        this.root.add(strokes.root);
+      }
+    }
+    for (const [relation, strokes] of this.#strokes) {
+      strokes.opacity = opacity;
+      strokes.show(byRelation.get(relation) ?? []);
+    }
+  }
+
+  #showNodes(nodes: readonly GraphNode[]): void {
+    while (this.#nodes.length < nodes.length) {
+      const sprite = new TextSprite();
+      this.#nodes.push(sprite);
+      this.root.add(sprite);
+    }
+    this.#nodes.forEach((sprite, i) => {
+      const node = nodes[i];
+      sprite.visible = node !== undefined;
+      if (node) {
+        sprite.position.set(...placeOf(node));
+        sprite.write(node.kind === "group" ? `all ${node.name}` : node.name, {
+          size: 11,
+          color: this.#look.labelText,
+          background: this.#look.label,
+          border: node.kind === "room" ? "#56b4e9" : "#8a8a8a",
+        });
+      }
+    });
+  }
+}
+
+function isBox(id: string): (node: GraphNode) => boolean {
+  return (node) => node.kind === "object" && node.id === `object:${id}`;
+}
+
+function notesOf(
+  edges: readonly GraphEdge[],
+  lane: readonly number[],
+  places: ReadonlyMap<string, Vector3>,
+) {
+  return edges.slice(0, MAX_NOTES).flatMap(({ source, target, text }, i) => {
+    const [from, to] = [places.get(source), places.get(target)];
+    return from && to ? [{ text, at: crest(from, to, lane[i] ?? 0) }] : [];
+  });
+}

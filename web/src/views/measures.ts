@@ -1,0 +1,76 @@
+/** The lengths that are shown: where, and what they say. Pure; core frame, metres. */
+import { draftBox } from "../model/drawing";
+import { bottomOf, footprint, topOf } from "../model/footprints";
+import { between, distance, sides } from "../model/geometry";
+import type { Point, State, Vector3 } from "../model/state";
+import { formatLength } from "../model/units";
+import type { BoxRecord, OpeningRecord } from "../net/protocol.gen";
+import type { Note } from "./notes";
+
+const ABOVE = 0.03; // metres over the floor
+
+/** What has its lengths shown: what is being drawn, else what is selected. */
+export function notesOf(state: State): readonly Note[] {
+  const { draft, selection, scene } = state;
+  switch (draft?.kind) {
+    case "room":
+      return outlineNotes(draft.pointer ? [...draft.corners, draft.pointer] : draft.corners, false);
+    case "box-floor":
+      return sideNotes(draftBox(state, draft));
+    case "box-height":
+      return boxNotes(draft.box);
+    case "opening":
+      return [lengthNote(draft.start, draft.end, 1)];
+    case undefined:
+      break;
+  }
+  switch (selection?.kind) {
+    case undefined:
+      return [];
+    case "box": {
+      const box = scene.boxes.find(({ id }) => id === selection.id);
+      return box ? boxNotes(box) : [];
+    }
+    case "corner":
+      return outlineNotes(scene.room.corners, true);
+    case "door":
+    case "window": {
+      const openings = selection.kind === "door" ? scene.room.doors : scene.room.windows;
+      const opening = openings.find(({ id }) => id === selection.id);
+      return opening ? [openingNote(opening)] : [];
+    }
+  }
+}
+
+function outlineNotes(corners: readonly Point[], closed: boolean): readonly Note[] {
+  const walls = sides(corners);
+  return (closed ? walls : walls.slice(0, -1))
+    .filter(([a, b]) => distance(a, b) > 0.05)
+    .map(([a, b]) => lengthNote(a, b, ABOVE));
+}
+
+function lengthNote(a: Point, b: Point, height: number): Note {
+  const [x, y] = between(a, b, 0.5);
+  return { text: formatLength(distance(a, b)), at: [x, y, height] };
+}
+
+/** Depth and width, on the right-hand and the front side of the footprint. */
+function sideNotes(box: BoxRecord): readonly Note[] {
+  const low = bottomOf(box) + ABOVE;
+  const [right, left, , backRight] = footprint(box);
+  if (!right || !left || !backRight) {
+    return [];
+  }
+  return [lengthNote(right, left, low), lengthNote(backRight, right, low)];
+}
+
+function boxNotes(box: BoxRecord): readonly Note[] {
+  const [, left] = footprint(box);
+  const middle = (bottomOf(box) + topOf(box)) / 2;
+  const at: Vector3 = left ? [left[0], left[1], middle] : box.center;
+  return [...sideNotes(box), { text: formatLength(box.size[2]), at }];
+}
+
+function openingNote({ start, end, bottom, top }: OpeningRecord): Note {
+  return lengthNote(start, end, (bottom + top) / 2);
+}
