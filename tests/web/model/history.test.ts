@@ -59,6 +59,13 @@ describe("undo and redo", () => {
   });
 });
 
+test("scenes of files without an id get one each", () => {
+  const nameless: Action = { type: "open-scene", scene: { ...begin().scene, id: "" } };
+  const first = play(begin(), nameless);
+  expect(first.scene.id).not.toBe("");
+  expect(play(first, nameless).scene.id).not.toBe(first.scene.id);
+});
+
 describe("selection", () => {
   const selected: Action = { type: "select", selection: { kind: "box", id: "table" } };
 

@@ -1,4 +1,5 @@
 /** The only thing that makes a new state. */
+import type { SceneRecord } from "../net/protocol.gen";
 import {
   chooseTool,
   closeOutline,
@@ -61,7 +62,7 @@ export function reduce(state: State, action: Action): State {
 function changed(state: State, action: Action): State {
   switch (action.type) {
     case "open-scene":
-      return { ...edited(state, action.scene, true), tool: "select", draft: null };
+      return openScene(state, action.scene);
     case "new-room":
       return newRoom(state);
     case "edit-room":
@@ -149,6 +150,13 @@ function changed(state: State, action: Action): State {
     case "graph":
       return graphed(state, action.graph);
   }
+}
+
+/** Another scene, as one step; a file may leave its id to whoever opens it. */
+function openScene(state: State, opened: SceneRecord): State {
+  const scene = opened.id === "" ? { ...opened, id: `room-${state.nextId}` } : opened;
+  const nextId = state.nextId + 1;
+  return { ...edited(state, scene, true), nextId, tool: "select", draft: null };
 }
 
 /** What follows from a change of the scene, whoever made it. */
