@@ -19,10 +19,10 @@ from msgspec import Struct
 
 from scenegen_core.scene.model import Vector3
 from server.furniture import on_wall
+from server.furniture.embedding import Guest
 from server.furniture.glb import Document, write_glb
 from server.furniture.mesh import Floats
-from server.gltf_records import Gltf
-from server.model_file import SMALLEST, read_model, roots_of, size_problem
+from server.model_file import SMALLEST, Model, read_model, size_problem
 
 MANIFEST = "catalogue.json"
 MAX_FILES = 500
@@ -121,8 +121,9 @@ def _item(
     """The item of one file; ValueError or OSError says why it is not usable."""
     entry = entries.get(path)
     category = _category(path, entry, known)
-    document, binary, bounds = read_model(_read(directory, path, limit))
-    size = bounds[1] - bounds[0]
+    model = read_model(_read(directory, path, limit))
+    Guest({}, bytearray(), model.document, b"").stand(model.roots)  # all it points to is there
+    size = model.bounds[1] - model.bounds[0]
     problem = size_problem(size)
     if problem:
         raise ValueError(problem)
@@ -133,7 +134,7 @@ def _item(
         name=((entry.name if entry else "") or _name(stem, category))[:MAX_NAME],
         category=category,
         size=(depth, width, height),
-        data=write_glb(_moved(document, -_origin(bounds, category)), binary),
+        data=write_glb(_moved(model, -_origin(model.bounds, category)), model.binary),
     )
 
 
@@ -179,8 +180,8 @@ def _origin(bounds: Floats, category: str) -> Floats:
     return np.array([middle[0], bounds[0, 1], middle[2]])
 
 
-def _moved(document: Document, by: Floats) -> Document:
+def _moved(model: Model, by: Floats) -> Document:
     """The document with its shown scene inside one node that shifts it."""
-    roots = roots_of(msgspec.convert(document, Gltf))
-    nodes = [*document["nodes"], {"name": "placed", "translation": by.tolist(), "children": roots}]
-    return document | {"nodes": nodes, "scenes": [{"nodes": [len(nodes) - 1]}], "scene": 0}
+    shift = {"name": "placed", "translation": by.tolist(), "children": list(model.roots)}
+    nodes = [*model.document["nodes"], shift]
+    return model.document | {"nodes": nodes, "scenes": [{"nodes": [len(nodes) - 1]}], "scene": 0}

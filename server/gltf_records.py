@@ -5,7 +5,7 @@ Specification: https://registry.khronos.org/glTF/specs/2.0/glTF-2.0.html
 
 from __future__ import annotations
 
-from typing import Annotated, Literal
+from typing import Annotated, Any, Literal
 
 from msgspec import Meta, Struct
 
@@ -13,6 +13,8 @@ MAX_NODES = 20_000
 COMPONENT_BYTES = {5120: 1, 5121: 1, 5122: 2, 5123: 2, 5125: 4, 5126: 4}
 COMPONENTS = {"SCALAR": 1, "VEC2": 2, "VEC3": 3, "VEC4": 4, "MAT2": 4, "MAT3": 9, "MAT4": 16}
 
+Loose = dict[str, Any]
+"""Parts that are only copied."""
 Index = Annotated[int, Meta(ge=0)]
 Triple = tuple[float, float, float]
 Matrix = Annotated[list[float], Meta(min_length=16, max_length=16)]
@@ -94,4 +96,9 @@ class Gltf(Struct, frozen=True, rename="camel"):
     buffer_views: list[BufferView] = []
     buffers: list[External] = []
     images: list[External] = []
+    materials: list[Loose] = []
+    textures: list[Loose] = []
+    samplers: list[Loose] = []
+    skins: list[Loose] = []
+    extensions_used: list[str] = []
     extensions_required: list[str] = []

@@ -5,6 +5,8 @@ Nothing outside the file is ever opened.
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+
 import msgspec
 import numpy as np
 
@@ -26,8 +28,20 @@ READABLE = frozenset({
 """Extensions that every page can show; those that compress need a decoder."""
 
 
-def read_model(data: bytes) -> tuple[Document, bytes, Floats]:
-    """The JSON, the binary and the bounds (2, 3) of a GLB; ValueError says why it is not usable."""
+@dataclass(frozen=True, slots=True, eq=False)
+class Model:
+    """A model that was found usable."""
+
+    document: Document
+    binary: bytes
+    roots: tuple[int, ...]
+    """The root nodes of the scene that is shown."""
+    bounds: Floats
+    """Lowest and highest coordinates (2, 3), metres."""
+
+
+def read_model(data: bytes) -> Model:
+    """The model in a GLB; ValueError says why it is not usable."""
     document, binary = read_glb(data)
     try:
         gltf = msgspec.convert(document, Gltf)
@@ -39,7 +53,7 @@ def read_model(data: bytes) -> tuple[Document, bytes, Floats]:
             bounds = bounds_of(gltf)
     except IndexError:
         raise ValueError("it points to parts that are not there") from None
-    return document, binary, bounds
+    return Model(document, binary, tuple(roots_of(gltf)), bounds)
 
 
 def roots_of(gltf: Gltf) -> list[int]:

@@ -16,8 +16,8 @@ from scenegen_core.scene.model import Box, Room, Scene
 from server.furniture.embedding import Guest
 from server.furniture.glb import Packer
 from server.furniture.materials import Material, linear
-from server.furniture.mesh import Floats, Mesh
-from server.model_file import read_model
+from server.furniture.mesh import Mesh
+from server.model_file import Model, read_model
 from server.room_shell import floor_mesh, glass_mesh, wall_mesh
 
 FLOOR = Material("floor", linear("#d8bd98"), 0.7)
@@ -39,12 +39,13 @@ def room_glb(scene: Scene, model_of: Callable[[Box], bytes]) -> bytes:
     """
     packer = Packer()
     nodes = _shell(packer, scene.room)
-    guests: dict[bytes, tuple[Guest, Floats]] = {}
+    guests: dict[bytes, tuple[Guest, Model]] = {}
     for box in scene.boxes:
         data = model_of(box)
         if data not in guests:
-            document, binary, bounds = read_model(data)
-            guests[data] = Guest(packer.document, packer.binary, document, binary), bounds
+            model = read_model(data)
+            guest = Guest(packer.document, packer.binary, model.document, model.binary)
+            guests[data] = guest, model
         nodes.append(_furniture(packer, box, *guests[data]))
     root = packer.add("nodes", {"name": scene.name or "room", "children": nodes})
     return packer.glb([root])
@@ -69,9 +70,10 @@ def _shell(packer: Packer, room: Room) -> list[int]:
     return nodes
 
 
-def _furniture(packer: Packer, box: Box, guest: Guest, bounds: Floats) -> int:
+def _furniture(packer: Packer, box: Box, guest: Guest, model: Model) -> int:
     """The node that puts a model's middle where the box has its own, turned and stretched."""
     depth, width, height = box.size
+    bounds = model.bounds
     wanted, own = np.array([width, height, depth]), bounds[1] - bounds[0]
     scale = np.where(
         (np.abs(wanted - own) > CLOSE) & (own > CLOSE), wanted / np.maximum(own, CLOSE), 1.0
@@ -83,7 +85,7 @@ def _furniture(packer: Packer, box: Box, guest: Guest, bounds: Floats) -> int:
     place = to_page(np.array(box.center)) - turn @ (scale * bounds.mean(axis=0))
     node = {
         "name": box.label or box.category,
-        "children": guest.stand(),
+        "children": guest.stand(model.roots),
         "translation": place.tolist(),
         "rotation": [0.0, sin(half), 0.0, cos(half)],
     }

@@ -12,6 +12,8 @@ from typing import Any
 import numpy as np
 import pytest
 import trimesh
+from hypothesis import given, settings
+from hypothesis import strategies as st
 
 from server.catalogue import Catalogue, load_catalogue
 from server.model_file import MAX_DEPTH
@@ -145,6 +147,9 @@ def test_what_is_no_glb_is_refused(tmp_path: Path, data: bytes, reason: str) -> 
     assert reason in problem(tmp_path, data)
 
 
+SOFA = box_glb((2, 0.8, 0.9))
+
+
 def loop(value: dict[str, Any]) -> None:
     value["nodes"].append({"children": [len(value["nodes"])]})
     value["scenes"][0]["nodes"] = [len(value["nodes"]) - 1]
@@ -176,6 +181,7 @@ BREAKAGES: dict[str, tuple[Callable[[dict[str, Any]], object], str]] = {
                  or v["nodes"][0].update(scale=[1e308] * 3, mesh=0), "not numbers"),
     "heavy": (lambda v: [a.update(count=9 * 10**6, bufferView=None) for a in v["accessors"]],
               "simplify"),
+    "missing material": (lambda v: v["meshes"][0]["primitives"][0].update(material=9), "not there"),
     "wrong type": (lambda v: v.update(nodes="all"), "$.nodes"),
 }  # fmt: skip
 
@@ -184,6 +190,18 @@ BREAKAGES: dict[str, tuple[Callable[[dict[str, Any]], object], str]] = {
 def test_a_broken_or_hostile_model_is_skipped_with_a_reason(tmp_path: Path, name: str) -> None:
     change, reason = BREAKAGES[name]
     assert reason in problem(tmp_path, changed(box_glb((2, 0.8, 0.9)), change))
+
+
+@settings(deadline=None, max_examples=200)
+@given(at=st.integers(0, 1500), values=st.binary(min_size=1, max_size=3))
+def test_a_damaged_file_never_stops_the_others(
+    tmp_path_factory: pytest.TempPathFactory, at: int, values: bytes
+) -> None:
+    data = bytearray(box_glb((2, 0.8, 0.9)))
+    data[at : at + len(values)] = values
+    catalogue = load(tmp_path_factory.mktemp("damaged"), bed_bad=bytes(data), sofa=SOFA)
+    assert catalogue.items[-1].id == "sofa"
+    assert len(catalogue.items) + len(catalogue.problems) == 2
 
 
 def test_an_unknown_category_is_refused_and_the_known_ones_are_named(tmp_path: Path) -> None:
