@@ -1,11 +1,10 @@
-"""One socket with its session: reads messages, carries out what the session wants, writes."""
+"""One socket with its session: carries out what the session wants."""
 
 from __future__ import annotations
 
 import logging
 from collections.abc import Callable
 from functools import partial
-from time import monotonic
 from typing import TypeVar, assert_never
 
 from starlette.websockets import WebSocket, WebSocketDisconnect
@@ -24,30 +23,18 @@ from server.effects import (
     StopSolving,
 )
 from server.engine import Cancel, Engine
-from server.limits import Allowance
+from server.incoming import Incoming
 from server.outbox import Frame, Outbox
 from server.protocol import (
-    CLOSE_TOO_MANY_ERRORS,
-    MAX_ERRORS,
-    MAX_MESSAGES_A_SECOND,
     AssetHeader,
-    ClientMessage,
     Hello,
     Problem,
 )
-from server.session import (
-    ResultStep,
-    Session,
-    Step,
-    examined,
-    furnished,
-    graphed,
-    greet,
-    handle,
-    solved,
-)
+from server.results import Step as ResultStep
+from server.results import examined, furnished, graphed, solved
+from server.session import Session, Step, greet, handle
 from server.store import Store, Stored
-from server.wire import Binary, Close, decode, encode, frame
+from server.wire import Binary, Close, encode, frame
 from server.work import draw_graph, examine, make_models, solve_ask
 from server.world import World
 
@@ -59,74 +46,35 @@ class Connection:
     """A socket that is open; its session is a value that only this class replaces."""
 
     def __init__(self, websocket: WebSocket, world: World, store: Store, engine: Engine) -> None:
-        self.outbox = Outbox()
-        self.over = False
-        """True once a close is on its way: what is still read is ignored."""
+        self._outbox = Outbox()
+        self.incoming = Incoming(websocket, self._outbox)
         self._websocket = websocket
         self._world = world
         self._store = store
         self._engine = engine
-        self._allowance = Allowance.full(MAX_MESSAGES_A_SECOND, now=monotonic())
-        self._errors = 0
         self._session = Session(id="")
 
     async def write(self) -> None:
         """Send what is in the outbox until the socket is closed."""
         try:
             while True:
-                for item in await self.outbox.get():
+                for item in await self._outbox.get():
                     await self._send(item)
                     if isinstance(item, Close):
                         return
         except WebSocketDisconnect:
             return  # the reader hears of it too, and ends the connection
 
-    async def hello(self) -> Hello | None:
-        """The first message; None if the socket closes before there is one."""
-        while (message := await self.receive()) is not None:
-            if isinstance(message, Hello):
-                return message
-            self._refuse(Problem(code="bad_message", text="Say hello first.", path="$.type"))
-        return None
-
     async def talk(self, session: Session, hello: Hello) -> None:
         """Serve the session until the socket closes."""
         self._session = session
         await self._take(greet(session, hello, lists=self._world.lists))
-        while (message := await self.receive()) is not None:
+        while (message := await self.incoming.next()) is not None:
             try:
                 await self._take(handle(self._session, message, self._world.words))
             except Exception:
                 log.exception("A message could not be handled")
-                self.outbox.put(_internal(getattr(message, "seq", None)))
-
-    async def receive(self) -> ClientMessage | None:
-        """The next well-formed message; None once the socket is closed."""
-        while True:
-            await self.outbox.has_room()
-            event = await self._websocket.receive()
-            if event["type"] == "websocket.disconnect":
-                return None
-            if self.over:
-                continue
-            message = _message(event.get("text"))
-            if not self._allowance.take(now=monotonic()):
-                message = _too_fast(message)
-            if not isinstance(message, Problem):
-                return message
-            self._refuse(message)
-
-    def close(self, code: int, reason: str) -> None:
-        """Close the socket behind what waits in the outbox."""
-        self.over = True
-        self.outbox.put(Close(code, reason))
-
-    def _refuse(self, problem: Problem) -> None:
-        """Answer a bad frame; too many of them end the connection."""
-        self.outbox.put(problem)
-        self._errors += 1
-        if self._errors >= MAX_ERRORS:
-            self.close(CLOSE_TOO_MANY_ERRORS, "Too many broken messages; reload the page.")
+                self._outbox.put(_internal(getattr(message, "seq", None)))
 
     async def _take(self, step: Step) -> None:
         """Go on to the next session and carry out what it wants."""
@@ -146,13 +94,13 @@ class Connection:
         world = self._world
         match deed:
             case Send():
-                self.outbox.put(deed.message)
+                self._outbox.put(deed.message)
             case SendAnswer():
-                self.outbox.put(*deed.maps, deed.answer)
+                self._outbox.put(*deed.maps, deed.answer)
             case Push():
                 glb = world.assets.get(deed.digest)
                 if glb is not None:
-                    self.outbox.put(Binary(AssetHeader(digest=deed.digest), glb))
+                    self._outbox.put(Binary(AssetHeader(digest=deed.digest), glb))
             case Furnish():
                 self._submit("furnish", partial(make_models, world, deed), furnished)
             case Solve():
@@ -173,7 +121,7 @@ class Connection:
         step: Callable[[Session, T], ResultStep],
     ) -> None:
         """Have work done; its result is the session's next step."""
-        if self.over:
+        if self.incoming.over:
             return  # the session may belong to another connection by now
         self._engine.submit(
             self._session.id,
@@ -185,10 +133,10 @@ class Connection:
 
     def _failed(self, error: Exception) -> None:
         if isinstance(error, SceneGenError):
-            self.outbox.put(Problem(code="bad_query", text=str(error)))
+            self._outbox.put(Problem(code="bad_query", text=str(error)))
         else:
             log.error("Work for a session failed", exc_info=error)
-            self.outbox.put(_internal(None))
+            self._outbox.put(_internal(None))
 
     async def _send(self, item: Frame) -> None:
         match item:
@@ -198,20 +146,6 @@ class Connection:
                 await self._websocket.send_bytes(frame(item.header, item.payload))
             case _:
                 await self._websocket.send_text(encode(item))
-
-
-def _message(text: str | None) -> ClientMessage | Problem:
-    if text is None:
-        return Problem(code="bad_message", text="Pages send text; send messages as JSON.")
-    return decode(text)
-
-
-def _too_fast(message: ClientMessage | Problem) -> Problem:
-    return Problem(
-        code="too_fast",
-        text=f"More than {MAX_MESSAGES_A_SECOND} messages a second; wait a little, send it again.",
-        seq=getattr(message, "seq", None),
-    )
 
 
 def _internal(seq: int | None) -> Problem:

@@ -57,7 +57,7 @@ class Live:
         connection = Connection(websocket, self._world, self._store, self._engine)
         async with asyncio.TaskGroup() as tasks:
             writer = tasks.create_task(connection.write())
-            hello = await connection.hello()
+            hello = await connection.incoming.hello()
             if hello is not None:
                 await self._talk(connection, hello)
             writer.cancel()
@@ -86,5 +86,5 @@ class Live:
         """Close the socket that has the session, if there is one."""
         before = self._open.get(session)
         if before is not None:
-            before.close(CLOSE_REPLACED, REPLACED)
+            before.incoming.close(CLOSE_REPLACED, REPLACED)
             self._engine.forget(session)

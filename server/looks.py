@@ -6,8 +6,6 @@ from dataclasses import dataclass
 
 from scenegen_core.scene.model import Box, Vector3
 
-WALL_CATEGORIES = ("Picture",)
-
 
 @dataclass(frozen=True, slots=True)
 class Look:
@@ -24,11 +22,6 @@ class Look:
         """Depth, width, height, metres."""
         depth, width, height = self.size
         return depth / 100, width / 100, height / 100
-
-    @property
-    def hangs(self) -> bool:
-        """Whether it is modelled to hang on a wall."""
-        return self.category in WALL_CATEGORIES
 
 
 def look_of(box: Box) -> Look:

@@ -1,13 +1,19 @@
-"""What comes of the work that a session wanted."""
+"""What comes of the work that a session wanted, and what it does to the session."""
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Iterable
+from dataclasses import dataclass, replace
 
 from scenegen_core.placement.solve import Solution
+from server.effects import Deed, Push, Send, SendAnswer
 from server.looks import Look
-from server.protocol import Answer
+from server.protocol import Answer, Graph, Inspected, Models
+from server.session import Session, examine, wanted_looks
 from server.wire import Binary
+
+Step = tuple[Session, tuple[Deed, ...]]
+"""Like a session's step; but what comes of a result never has to be stored."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -25,3 +31,44 @@ class Solved:
     solution: Solution
     answer: Answer
     maps: tuple[Binary, ...]
+
+
+def furnished(session: Session, result: Furnished) -> Step:
+    """Models are ready; those of boxes that look different by now are dropped."""
+    wanted = wanted_looks(session)
+    ready = {box: made for box, made in result.models.items() if wanted.get(box) == made[0]}
+    if not ready:
+        return session, ()
+    digests = {box: digest for box, (_, digest) in ready.items()}
+    looks = {**session.looks, **{box: look for box, (look, _) in ready.items()}}
+    session, pushes = _push(replace(session, looks=looks), digests.values())
+    return session, (*pushes, Send(Models(revision=result.revision, boxes=digests)))
+
+
+def solved(session: Session, result: Solved) -> Step:
+    """An answer is ready; dropped if it is not for the ask and the scene as they are."""
+    ask, answer, waiting = session.ask, result.answer, session.inspect
+    if ask is None or (answer.ask, answer.revision) != (ask.id, session.revision):
+        return session, ()
+    session = replace(session, solution=result.solution, inspect=None)
+    looks = () if waiting is None else examine(session, waiting)
+    session, pushes = _push(session, (answer.asset,))
+    return session, (*pushes, SendAnswer(answer, result.maps), *looks)
+
+
+def examined(session: Session, message: Inspected) -> Step:
+    """What the solution thinks of a pose; dropped if it is stale."""
+    current = session.ask is not None and message.ask == session.ask.id
+    return session, (Send(message),) if current and message.revision == session.revision else ()
+
+
+def graphed(session: Session, message: Graph) -> Step:
+    """A scene graph is ready; dropped if it is stale."""
+    current = session.watching and message.revision == session.revision
+    return session, (Send(message),) if current else ()
+
+
+def _push(session: Session, digests: Iterable[str]) -> tuple[Session, tuple[Deed, ...]]:
+    """Send the models that the page lacks, once."""
+    new = tuple(digest for digest in dict.fromkeys(digests) if digest not in session.assets)
+    return replace(session, assets=session.assets.union(new)), tuple(map(Push, new))

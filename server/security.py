@@ -59,5 +59,8 @@ def same_site(headers: Headers) -> bool:
     origin = headers.get("origin")
     if origin is None:
         return True
-    site = urlsplit(origin)
+    try:
+        site = urlsplit(origin)
+    except ValueError:
+        return False
     return site.netloc == headers.get("host") or site.hostname in LOCAL_NAMES

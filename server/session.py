@@ -6,7 +6,7 @@ room too (a phone may draw the walls later).
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from typing import assert_never
 
@@ -22,10 +22,8 @@ from server.effects import (
     Effect,
     Examine,
     Furnish,
-    Push,
     Save,
     Send,
-    SendAnswer,
     Solve,
     StopSolving,
 )
@@ -34,11 +32,8 @@ from server.protocol import (
     Ack,
     Ask,
     ClientMessage,
-    Graph,
     Hello,
     Inspect,
-    Inspected,
-    Models,
     Ping,
     Pong,
     Problem,
@@ -49,7 +44,6 @@ from server.protocol import (
     WatchGraph,
     Welcome,
 )
-from server.results import Furnished, Solved
 
 
 @dataclass(frozen=True, slots=True)
@@ -74,8 +68,6 @@ class Session:
 
 
 Step = tuple[Session, tuple[Effect, ...]]
-ResultStep = tuple[Session, tuple[Deed, ...]]
-"""What comes of a result never has to be stored."""
 
 
 def greet(session: Session, hello: Hello, *, lists: Welcome) -> Step:
@@ -112,41 +104,6 @@ def handle(session: Session, message: ClientMessage, words: Vocabulary) -> Step:
             return session, (Send(Problem(code="bad_message", text=text, path="$.type")),)
         case _:
             assert_never(message)
-
-
-def furnished(session: Session, result: Furnished) -> ResultStep:
-    """Models are ready; those of boxes that look different by now are dropped."""
-    wanted = _wanted_looks(session)
-    ready = {box: made for box, made in result.models.items() if wanted.get(box) == made[0]}
-    if not ready:
-        return session, ()
-    digests = {box: digest for box, (_, digest) in ready.items()}
-    looks = {**session.looks, **{box: look for box, (look, _) in ready.items()}}
-    session, pushes = _push(replace(session, looks=looks), digests.values())
-    return session, (*pushes, Send(Models(revision=result.revision, boxes=digests)))
-
-
-def solved(session: Session, result: Solved) -> ResultStep:
-    """An answer is ready; dropped if it is not for the ask and the scene as they are."""
-    ask, answer, waiting = session.ask, result.answer, session.inspect
-    if ask is None or (answer.ask, answer.revision) != (ask.id, session.revision):
-        return session, ()
-    session = replace(session, solution=result.solution, inspect=None)
-    examine = () if waiting is None else _examine(session, waiting)
-    session, pushes = _push(session, (answer.asset,))
-    return session, (*pushes, SendAnswer(answer, result.maps), *examine)
-
-
-def examined(session: Session, message: Inspected) -> ResultStep:
-    """What the solution thinks of a pose; dropped if it is stale."""
-    current = session.ask is not None and message.ask == session.ask.id
-    return session, (Send(message),) if current and message.revision == session.revision else ()
-
-
-def graphed(session: Session, message: Graph) -> ResultStep:
-    """A scene graph is ready; dropped if it is stale."""
-    current = session.watching and message.revision == session.revision
-    return session, (Send(message),) if current else ()
 
 
 def _edit(session: Session, edit: Edit, words: Vocabulary) -> Step:
@@ -188,10 +145,11 @@ def _inspect(session: Session, inspect: Inspect) -> Step:
         return session, (Send(Problem(code="bad_query", text=text, path="$.type")),)
     if session.solution is None:
         return replace(session, inspect=inspect), ()
-    return session, _examine(session, inspect)
+    return session, examine(session, inspect)
 
 
-def _examine(session: Session, inspect: Inspect) -> tuple[Deed, ...]:
+def examine(session: Session, inspect: Inspect) -> tuple[Deed, ...]:
+    """Have the solution, which is there, look at a pose."""
     assert session.ask is not None
     assert session.solution is not None
     return (Examine(session.solution, inspect, session.ask.id, session.revision),)
@@ -211,17 +169,12 @@ def _draw_graph(session: Session) -> tuple[Deed, ...]:
 
 def _furnish(session: Session) -> tuple[Deed, ...]:
     """The models to be made: also those still in the making, since newer work replaces older."""
-    wanted = _wanted_looks(session).items()
+    wanted = wanted_looks(session).items()
     looks = {box: look for box, look in wanted if session.looks.get(box) != look}
     return (Furnish(session.revision, looks),) if looks else ()
 
 
-def _wanted_looks(session: Session) -> dict[str, Look]:
+def wanted_looks(session: Session) -> dict[str, Look]:
+    """How the boxes look now, by their id."""
     boxes = () if session.scene is None else session.scene.boxes
     return {box.id: look_of(box) for box in boxes}
-
-
-def _push(session: Session, digests: Iterable[str]) -> tuple[Session, tuple[Deed, ...]]:
-    """Send the models that the page lacks, once."""
-    new = tuple(digest for digest in dict.fromkeys(digests) if digest not in session.assets)
-    return replace(session, assets=session.assets.union(new)), tuple(map(Push, new))

@@ -6,6 +6,7 @@ import argparse
 import io
 import signal
 import socket
+import sys
 from dataclasses import fields
 from pathlib import Path
 from types import FrameType
@@ -19,7 +20,9 @@ from server.protocol import MAX_TEXT_BYTES
 from server.settings import Settings
 from server.world import World, load_world
 
+ANY = ("0.0.0.0", "::")  # noqa: S104 (only compared with)
 STOP = "Stop with Ctrl+C."
+SWITCH_INTERVAL = 0.0005  # seconds; work in other threads then hardly delays acknowledgements
 LARGEST_FRAME = 4 * MAX_TEXT_BYTES  # bytes; up to here a sentence answers, beyond the socket closes
 
 
@@ -40,6 +43,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 def run(arguments: argparse.Namespace) -> int:
     """Serve until Ctrl+C; SceneGenError if that cannot begin."""
+    sys.setswitchinterval(SWITCH_INTERVAL)
     settings = Settings(**{f.name: getattr(arguments, f.name) for f in fields(Settings)})
     world = load_world(settings)
     with listen(settings) as listener:
@@ -74,6 +78,7 @@ def make_server(settings: Settings, world: World) -> uvicorn.Server:
         ws_per_message_deflate=False,  # frames are small or do not shrink; a bomb cannot grow
         log_level="warning",
         access_log=False,
+        server_header=False,
         timeout_graceful_shutdown=3,
     )
     return uvicorn.Server(config)
@@ -81,7 +86,8 @@ def make_server(settings: Settings, world: World) -> uvicorn.Server:
 
 def greeting(settings: Settings, world: World, *, port: int) -> str:
     """What the terminal shows: the address, what is loaded, how to stop."""
-    host = f"[{settings.host}]" if ":" in settings.host else settings.host
+    host = "localhost" if settings.host in ANY else settings.host
+    host = f"[{host}]" if ":" in host else host
     url = f"http://{host}:{port}"
     note = "This address and its code work on this machine only." if settings.loopback else ""
     return "\n".join(

@@ -184,7 +184,9 @@ def test_a_heat_map_of_no_query_is_refused_in_words(
     assert says in response.json()["text"]
 
 
-@pytest.mark.parametrize("origin", ["https://elsewhere.example", "null", "http://testserver.evil"])
+@pytest.mark.parametrize(
+    "origin", ["https://elsewhere.example", "null", "http://testserver.evil", "http://["]
+)
 def test_another_site_cannot_post(client: TestClient, origin: str) -> None:
     response = client.post("/scenes/check", content=scene(), headers={"origin": origin})
     assert response.status_code == 403

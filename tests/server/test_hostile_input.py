@@ -159,6 +159,7 @@ def test_messages_that_come_too_fast_are_refused_with_their_number(url: str) -> 
         problem = here.until(Problem)
         assert problem.code == "too_fast"
         assert problem.seq is not None
+        assert closed(here)[0] == CLOSE_TOO_MANY_ERRORS
 
 
 def test_the_largest_room_that_is_allowed_is_taken(url: str) -> None:

@@ -43,8 +43,8 @@ from server.protocol import (
     WatchGraph,
     Welcome,
 )
-from server.results import Furnished, Solved
-from server.session import Session, examined, furnished, graphed, greet, handle, solved
+from server.results import Furnished, Solved, examined, furnished, graphed, solved
+from server.session import Session, greet, handle
 from server.world import World
 from tests.server.driving import ROOM, SCENE, TABLE
 
