@@ -22,7 +22,7 @@ JSON_CHUNK, BINARY_CHUNK = 0x4E4F534A, 0x004E4942
 HEADER_BYTES, CHUNK_BYTES = 12, 8
 FLOAT, UNSIGNED_SHORT, UNSIGNED_INT = 5126, 5123, 5125
 VERTICES, INDICES = 34962, 34963
-ASSET = {"version": "2.0", "generator": "SceneGen", "copyright": "CC0-1.0, made by SceneGen"}
+ASSET = {"version": "2.0", "generator": "SceneGen"}
 
 
 def write_glb(document: Document, binary: bytes) -> bytes:
