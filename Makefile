@@ -11,6 +11,8 @@ BIN := .venv/bin
 PYTHON ?= $(firstword $(foreach name,python3 python3.13 python3.12 python3.11,\
 	$(shell $(name) -c 'import sys; sys.exit(sys.version_info < (3, 11))' 2>/dev/null && echo $(name))))
 
+NODE_IS_NEW := const [a, b] = process.versions.node.split("."); process.exitCode = a > 20 || (a == 20 && b >= 19) ? 0 : 1
+
 # Stamps: a step runs again only when what it was made from is newer.
 INSTALLED := .venv/.installed
 INSTALLED_FOR_TESTS := .venv/.installed-for-tests
@@ -56,12 +58,19 @@ browser: $(INSTALLED_FOR_TESTS)
 		apt-get -qq install -y --no-install-recommends chromium; \
 	else $(BIN)/playwright install chromium; fi
 
-.venv/bin/pip:
-	@if [ -z "$(PYTHON)" ]; then \
-		echo 'SceneGen needs Python 3.11 or newer; install it and run make again.' >&2; exit 1; fi
+# What only the machine can give, asked for before anything is set up.
+.PHONY: tools
+tools:
+	@[ -n "$(PYTHON)" ] || { \
+		echo 'SceneGen needs Python 3.11 or newer; install it and run make again.' >&2; exit 1; }
 	@$(PYTHON) -c 'import ensurepip, venv' 2>/dev/null || { \
-		echo 'Python cannot make a virtual environment; install it (Debian, Ubuntu:' \
+		echo 'Python cannot make a virtual environment here; install it (Debian, Ubuntu:' \
 		'apt-get install python3-venv) and run make again.' >&2; exit 1; }
+	@node -e '$(NODE_IS_NEW)' 2>/dev/null && command -v npm >/dev/null || { \
+		echo 'SceneGen needs Node 20.19 or newer with npm to build its page; install it' \
+		'(https://nodejs.org) and run make again.' >&2; exit 1; }
+
+.venv/bin/pip: | tools
 	$(PYTHON) -m venv .venv
 
 $(INSTALLED): pyproject.toml | .venv/bin/pip
@@ -72,14 +81,7 @@ $(INSTALLED_FOR_TESTS): pyproject.toml | .venv/bin/pip
 	$(BIN)/pip install --quiet --disable-pip-version-check --editable '.[test]'
 	@touch $@ $(INSTALLED)
 
-$(NODE_MODULES): package.json package-lock.json
-	@node -e 'const [a, b] = process.versions.node.split(".").map(Number); \
-		process.exit(a > 20 || (a === 20 && b >= 19) ? 0 : 1)' 2>/dev/null || { \
-		echo 'SceneGen needs Node 20.19 or newer to build its page; install it from' \
-		'https://nodejs.org and run make again.' >&2; exit 1; }
-	@command -v npm >/dev/null || { \
-		echo 'npm is missing (Debian, Ubuntu: apt-get install npm); install it and run make' \
-		'again.' >&2; exit 1; }
+$(NODE_MODULES): package.json package-lock.json | tools
 	npm ci --no-audit --no-fund
 	@touch $@
 
