@@ -61,16 +61,21 @@ function placing(before: State, after: State): string | null {
 function boxes(before: State, after: State): string | null {
   const { boxes } = after.scene;
   const old = before.scene.boxes;
-  const undone = after.future.length > before.future.length ? "Undone" : null;
-  const redone =
-    after.past.length > before.past.length && after.future.length < before.future.length;
-  if (undone !== null || redone) return `${undone ?? "Redone"}. ${sceneInWords(after.scene)}.`;
+  const way = stepped(before, after);
+  if (way !== null) return `${way}. ${sceneInWords(after.scene)}.`;
   const gone = old.find(({ id }) => !boxes.some((box) => box.id === id));
   if (gone !== undefined) return `${gone.category} deleted.`;
   const added = boxes.find(({ id }) => !old.some((box) => box.id === id));
   if (added !== undefined) return `Added: ${boxInWords(added, after.scene.room)}.`;
   const changed = boxes.find((box) => !old.includes(box));
   return changed === undefined ? null : `${boxInWords(changed, after.scene.room)}.`;
+}
+
+/** Whether the scene is the one before, or the one that was undone. */
+function stepped(before: State, after: State): "Undone" | "Redone" | null {
+  if (after.scene === before.scene) return null;
+  if (after.scene === before.past.at(-1) && after.past.length < before.past.length) return "Undone";
+  return after.scene === before.future[0] ? "Redone" : null;
 }
 
 function selection(before: State, after: State): string | null {

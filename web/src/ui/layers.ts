@@ -7,15 +7,24 @@ import type { Page } from "./page";
 import { likelihoodInWords, relationInWords, signed } from "./words";
 
 const LAYERS: readonly { layer: Layer; icon: IconName; label: string; keys: string }[] = [
-  { layer: "heat", icon: "heat", label: "Likely places", keys: "H" },
+  { layer: "heat", icon: "heat", label: "Map", keys: "H" },
   { layer: "graph", icon: "graph", label: "Relations", keys: "G" },
   { layer: "labels", icon: "labels", label: "Names", keys: "L" },
 ];
 
-export function layersPanel(page: Page): TemplateResult {
-  return html`<section class="part layers" aria-label="What is shown">
-    ${toggles(page)} ${legend(page)} ${relations(page)}
+/** Over the room on a desk: the legend, the relations, the switches; on a phone the switches. */
+export function layers(page: Page): TemplateResult {
+  return html`<section class="layers" aria-label="What is shown">
+    <div class="desk-only">${legend(page)} ${relations(page)}</div>
+    ${toggles(page)}
   </section>`;
+}
+
+/** In the sheet of a phone: the legend and the relations. */
+export function layersPanel(page: Page): TemplateResult | typeof nothing {
+  const [map, graph] = [legend(page), relations(page)];
+  if (map === nothing && graph === nothing) return nothing;
+  return html`<section class="part phone-only" aria-label="Colors and lines">${map} ${graph}</section>`;
 }
 
 function toggles({ state, dispatch }: Page): TemplateResult {

@@ -28,7 +28,7 @@ export function placePanel(page: Page): TemplateResult {
         (name) => start(page, name, null, null),
       )}
       ${modeSwitch(page)}
-      ${placing === null ? after(page) : html`${places(page, placing)} ${decide(page, placing)} ${size(page, placing)} ${items(page, placing)}`}
+      ${placing === null ? after(page) : html`${places(page, placing)} ${size(page, placing)} ${items(page, placing)}`}
     `,
     "place",
   );
@@ -78,7 +78,7 @@ function after(page: Page): TemplateResult {
       ${button(
         {
           icon: "again",
-          label: `Place another ${name}`,
+          label: "Place another",
           run: () => start(page, placed.category, placed.item, placed.size, placed.mode),
         },
         "primary",
@@ -187,11 +187,14 @@ function waiting({ state }: Page): TemplateResult {
   </div>`;
 }
 
-function decide({ state, dispatch }: Page, placing: Placing): TemplateResult {
+/** The end of placing, always in reach below the panel. */
+export function decision({ state, dispatch }: Page): TemplateResult | typeof nothing {
+  const { placing } = state;
+  if (placing === null) return nothing;
   const obstacle = ghostObstacle(state);
-  return html`
+  return html`<div class="decision">
     ${obstacle === null ? nothing : html`<p class="blocked">${icon("problem")} ${obstacleSentence(obstacle)}</p>`}
-    <div class="row decide">
+    <div class="row">
       ${button(
         {
           icon: "check",
@@ -204,7 +207,7 @@ function decide({ state, dispatch }: Page, placing: Placing): TemplateResult {
       )}
       ${button({ icon: "close", label: "Cancel", keys: "Esc", run: () => dispatch({ type: "cancel" }) })}
     </div>
-  `;
+  </div>`;
 }
 
 function noPlacePicture(): TemplateResult {

@@ -1,6 +1,6 @@
 /** The panels round the room: mounted once, rendered anew with every state. */
 import "../styles/index.css";
-import { html, render, type TemplateResult } from "lit";
+import { html, nothing, render, type TemplateResult } from "lit";
 import type { Services, View } from "../contract";
 import type { State } from "../model/state";
 import type { Dispatch } from "../store";
@@ -10,11 +10,11 @@ import { header } from "./header";
 import { help } from "./help";
 import { createInsets } from "./insets";
 import { press } from "./keyboard";
-import { layersPanel } from "./layers";
+import { layers, layersPanel } from "./layers";
 import { follow } from "./local";
 import { objectList } from "./objects";
 import { INITIAL_LOCAL, type Local, type Page } from "./page";
-import { placePanel } from "./place";
+import { decision, placePanel } from "./place";
 import { reasonsPanel } from "./reasons";
 import { selectionPanel } from "./selection";
 import { sheetHandle } from "./sheet";
@@ -68,42 +68,39 @@ export function mountUi(element: HTMLElement, dispatch: Dispatch, services: Serv
 
 /** Everything, in the order in which Tab goes through it. */
 export function panels(page: Page): TemplateResult {
+  const { state, local } = page;
+  const placing = state.placing !== null;
+  const drawing = state.tool !== "select";
   return html`
     ${header(page)} ${tools(page)}
     <div class="over">
-      ${objectList(page)} ${toast(page)} ${cameras(page)}
+      ${objectList(page)} ${toast(page)} ${cameras(page)} ${layers(page)}
       <div class="lower">${situation(page)} ${nextStep(page)} ${welcome(page)}</div>
     </div>
-    <aside class="panel" aria-label="Panel" data-sheet=${page.local.sheet}>
+    <aside class="panel" aria-label="Panel" data-sheet=${local.sheet}>
       ${sheetHandle(page)}
-      <div class="parts">
-        ${parts(page)}
+      <div class="parts" data-placed=${local.placed !== null}>
+        ${drawing ? drawingPanel(page) : nothing}
+        ${drawing || placing ? nothing : selectionPanel(page)}
+        ${drawing ? nothing : placePanel(page)} ${reasonsPanel(page)} ${layersPanel(page)}
       </div>
+      ${decision(page)}
     </aside>
     ${help(page)}
   `;
 }
 
-/** What the panel holds just now, the most wanted first. */
-function parts(page: Page): unknown {
-  const { state, local } = page;
-  if (state.tool !== "select") return [drawingPanel(page), layersPanel(page)];
-  if (state.placing !== null) return [placePanel(page), reasonsPanel(page), layersPanel(page)];
-  const order = [selectionPanel(page), placePanel(page)];
-  return [...(local.placed === null ? order : order.toReversed()), layersPanel(page)];
-}
+/** What is pressed already: Enter on it means the room. */
+const PRESSED = ".chip, .place-choice, .tools .tool";
 
 /** Keys typed into a field, pressed on a button or in a dialog belong there. */
-function isForTheRoom(event: KeyboardEvent): boolean {
-  const target = event.target as Element;
-  if (target.closest("input:not([type=radio], [type=checkbox]), textarea, dialog, [popover]")) {
-    return false;
-  }
-  const onControl = target.closest("button, a, summary, input") !== null;
-  return !(
-    onControl &&
-    ["Enter", " ", "ArrowUp", "ArrowDown", "ArrowLeft", "ArrowRight"].includes(event.key)
-  );
+function isForTheRoom({ target, key }: KeyboardEvent): boolean {
+  const on = target as Element;
+  if (on.closest("input[type=text], input[type=range], dialog, [popover]") !== null) return false;
+  if (key.startsWith("Arrow")) return on.closest("input, .handle") === null;
+  if (key !== "Enter" && key !== " ") return true;
+  const control = on.closest("button, a, summary, input");
+  return control === null || control.matches(`:is(${PRESSED})[aria-pressed="true"]`);
 }
 
 function syncHelp(element: HTMLElement, open: boolean): void {

@@ -1,10 +1,10 @@
 /** Where a thing stands, in words: for the list of objects and for what is said aloud. */
 import { footprint } from "../model/footprints";
-import { angleOf, distance, nearestOn, scale, sides, signedArea } from "../model/geometry";
+import { angleOf, between, distance, nearestOn, scale, sides, signedArea } from "../model/geometry";
 import type { Point } from "../model/state";
 import { formatArea, formatLength, formatSize } from "../model/units";
-import { type Wall, wallsOf } from "../model/walls";
-import type { BoxRecord, RoomRecord, SceneRecord } from "../net/protocol.gen";
+import { nearestWall, type Wall, wallsOf } from "../model/walls";
+import type { BoxRecord, OpeningRecord, RoomRecord, SceneRecord } from "../net/protocol.gen";
 import { counted, ended, inSentence } from "./words";
 
 /** Closer than this to a wall is against it, metres. */
@@ -50,6 +50,13 @@ export function nearestWallInWords(box: BoxRecord, room: RoomRecord): string {
   if (nearest === undefined) return "in no room yet";
   const name = `the ${wallName(nearest.wall)} wall`;
   return nearest.gap <= AGAINST ? `against ${name}` : `${formatLength(nearest.gap)} from ${name}`;
+}
+
+/** "0.90 m wide, in the south wall". */
+export function openingInWords(opening: OpeningRecord, room: RoomRecord): string {
+  const width = formatLength(distance(opening.start, opening.end));
+  const wall = nearestWall(room, between(opening.start, opening.end, 0.5));
+  return wall === undefined ? `${width} wide` : `${width} wide, in the ${wallName(wall)} wall`;
 }
 
 /** "Sofa placed: against the north wall, facing the TV." */

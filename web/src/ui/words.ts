@@ -50,8 +50,9 @@ export function likelihoodInWords(likelihood: number): string {
   return "unlikely";
 }
 
-/** "+1.24", "−0.31"; a true minus sign. */
+/** "+1.24", "−0.31", "+111": three digits, and a true minus sign. */
 export function signed(value: number): string {
-  const rounded = value.toFixed(2);
-  return value < 0 ? `−${rounded.slice(1)}` : `+${rounded}`;
+  const size = Math.abs(value);
+  const rounded = size.toFixed(size >= 100 ? 0 : size >= 10 ? 1 : 2);
+  return `${value < 0 ? "−" : "+"}${rounded}`;
 }
