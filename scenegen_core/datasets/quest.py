@@ -9,16 +9,18 @@ from __future__ import annotations
 
 import argparse
 import sys
-from dataclasses import dataclass, replace
-from math import dist
+from collections.abc import Iterator
+from dataclasses import replace
 from pathlib import Path
 
 import msgspec
 import numpy as np
-from shapely import LineString, Polygon
 from shapely import Point as ShapelyPoint
+from shapely import Polygon
 
-from scenegen_core.datasets.labels import categories_of
+from scenegen_core.datasets.contents import Head, content
+from scenegen_core.datasets.labels import category_of
+from scenegen_core.datasets.outlines import NEAR_OUTLINE, on_outline, outline_of
 from scenegen_core.datasets.quest_capture import (
     Capture,
     Entity,
@@ -26,24 +28,22 @@ from scenegen_core.datasets.quest_capture import (
     floor_of,
     heading_of,
     placed,
-    point_of,
     segment_of,
     vector_of,
 )
+from scenegen_core.datasets.remarks import Remark, Report, Skipped, usable_boxes
 from scenegen_core.errors import DataError
 from scenegen_core.scene.files import write_scene
 from scenegen_core.scene.model import (
     PAPER_CATEGORIES,
     Box,
     Opening,
-    Point,
     Room,
     Scene,
     Symmetry,
     Vector3,
 )
 
-NEAR_OUTLINE = 0.5  # metres; what lies further outside was seen through a door or a window
 FLOOR_SLACK = 0.1  # metres; a headset's boxes miss the floor by less, things on tables by more
 PICTURE_DEPTH = 0.02  # metres; a headset measures pictures as planes
 ROOMS = {
@@ -53,61 +53,64 @@ ROOMS = {
     "office_large": ("Large office (scan)", "office"),
     "office_small": ("Small office (scan)", "office"),
 }
+OUTSIDE = "lies outside of the room; it was seen through an opening"
 _FACES_SOMEWHERE = {c.name for c in PAPER_CATEGORIES if c.symmetry is not Symmetry.SYMMETRIC}
 
 
-@dataclass(frozen=True, slots=True)
-class Scan:
-    """A scanned room and the labels of what lay too far outside its outline."""
-
-    scene: Scene
-    dropped: tuple[str, ...]
+def recognizes(head: Head) -> bool:
+    """Whether the file lists what a headset saw."""
+    return "spatialEntities" in head.fields
 
 
-def read_capture(text: bytes, *, name: str = "", room_type: str = "", scene_id: str = "") -> Scan:
-    """The room of a capture's JSON; DataError says what is wrong with it."""
+def read_scenes(path: Path, report: Report) -> Iterator[Scene]:
+    """The one room of a capture, named after its file; DataError says what is wrong with it."""
+    name, room_type = ROOMS.get(path.stem, (_in_words(path.stem), ""))
     try:
-        entities = msgspec.json.decode(text, type=Capture).entities
-    except msgspec.DecodeError as error:
-        raise DataError(f"This is not a capture of a room: {error}.") from None
+        entities = msgspec.json.decode(content(path), type=Capture).entities
+    except (msgspec.DecodeError, UnicodeDecodeError) as error:
+        raise DataError(f"{path} is not a capture of a room: {error}.") from None
+    scene = _scene(entities, room_type, path, report)
+    yield replace(scene, id=path.stem, name=name)
+
+
+def _scene(entities: tuple[Entity, ...], room_type: str, path: Path, report: Report) -> Scene:
+    """The room that the entities show; what lies too far outside of it is reported."""
     floor = floor_of(entities)
-    corners = _outline([segment_of(e) for e in entities if e.label == "WALL_FACE"])
+    walls = [entity for entity in entities if entity.label == "WALL_FACE"]
+    corners = outline_of([segment_of(wall) for wall in walls])
     outline = Polygon(corners)
-    doors = [_opening(e, f"door-{i}", floor) for i, e in _numbered(entities, "DOOR_FRAME")]
-    windows = [_opening(e, f"window-{i}", floor) for i, e in _numbered(entities, "WINDOW_FRAME")]
-    boxes = _boxes(entities, floor)
     room = Room(
         corners=corners,
-        height=round(max(extent_of(e).height for e in entities if e.label == "WALL_FACE"), 3),
-        doors=_on_outline(doors, outline),
-        windows=_on_outline(windows, outline),
+        height=round(max(extent_of(wall).height for wall in walls), 3),
+        doors=_openings(entities, "DOOR_FRAME", floor, outline, path, report),
+        windows=_openings(entities, "WINDOW_FRAME", floor, outline, path, report),
         room_type=room_type,
     )
+    boxes = usable_boxes(_boxes(entities, floor, path, report), path, report)
     near = tuple(b for b in boxes if outline.distance(ShapelyPoint(b.center[:2])) <= NEAR_OUTLINE)
-    lost = ["DOOR_FRAME"] * (len(doors) - len(room.doors))
-    lost += ["WINDOW_FRAME"] * (len(windows) - len(room.windows))
-    lost += [box.label for box in boxes if box not in near]
-    return Scan(Scene(room, near, id=scene_id, name=name, source="quest"), tuple(lost))
+    for box in boxes:
+        if box not in near:
+            report(Skipped(path, f"object {box.id!r}", OUTSIDE))
+    return Scene(room, near, source="quest")
 
 
-def _numbered(entities: tuple[Entity, ...], label: str) -> enumerate[Entity]:
-    return enumerate((e for e in entities if e.label == label), start=1)
-
-
-def _outline(walls: list[tuple[Point, Point]]) -> tuple[Point, ...]:
-    """The corners where walls meet, anticlockwise: each wall goes on with the nearest end."""
-    if len(walls) < 3:  # noqa: PLR2004 (a triangle)
-        raise DataError("The capture has fewer than three walls; scan the room again.")
-    chain, rest = [walls[0]], walls[1:]
-    while rest:
-        end = chain[-1][1]
-        ends = [wall for pair in rest for wall in (pair, pair[::-1])]
-        following = min(ends, key=lambda wall: dist(wall[0], end))
-        rest = [pair for pair in rest if set(pair) != set(following)]
-        chain.append(following)
-    meeting = zip(chain, (*chain[1:], chain[0]), strict=True)
-    corners = tuple(point_of(np.mean([one[1], other[0]], axis=0)) for one, other in meeting)
-    return corners if Polygon(corners).exterior.is_ccw else corners[::-1]
+def _openings(
+    entities: tuple[Entity, ...],
+    label: str,
+    floor: float,
+    outline: Polygon,
+    path: Path,
+    report: Report,
+) -> tuple[Opening, ...]:
+    """The doors or windows on the outline; the others are reported."""
+    kind = label.removesuffix("_FRAME").lower()
+    numbered = enumerate((e for e in entities if e.label == label), start=1)
+    found = [_opening(entity, f"{kind}-{i}", floor) for i, entity in numbered]
+    kept = on_outline(found, outline)
+    for opening in found:
+        if opening.id not in {other.id for other in kept}:
+            report(Skipped(path, f"{kind} {opening.id!r}", OUTSIDE))
+    return kept
 
 
 def _opening(entity: Entity, opening_id: str, floor: float) -> Opening:
@@ -118,29 +121,13 @@ def _opening(entity: Entity, opening_id: str, floor: float) -> Opening:
     return Opening(start, end, bottom=round(bottom, 3), top=round(top, 3), id=opening_id)
 
 
-def _on_outline(openings: list[Opening], outline: Polygon) -> tuple[Opening, ...]:
-    """The openings moved onto the outline, without those that are too far from it."""
-    walls = outline.exterior
-
-    def moved(point: Point) -> Point:
-        on_wall = walls.interpolate(walls.project(ShapelyPoint(point)))
-        return round(on_wall.x, 4), round(on_wall.y, 4)
-
-    return tuple(
-        replace(opening, start=moved(opening.start), end=moved(opening.end))
-        for opening in openings
-        if LineString([opening.start, opening.end]).centroid.distance(walls) <= NEAR_OUTLINE
-    )
-
-
-def _boxes(entities: tuple[Entity, ...], floor: float) -> tuple[Box, ...]:
+def _boxes(
+    entities: tuple[Entity, ...], floor: float, path: Path, report: Report
+) -> tuple[Box, ...]:
     """The furniture; a table's top is also there as a plane, so planes count for pictures only."""
-    categories = categories_of("quest")
     boxes: list[Box] = []
     for entity in entities:
-        if entity.label not in categories:
-            raise DataError(f"Unknown label {entity.label!r}; give it a row in labels/quest.csv.")
-        category = categories[entity.label]
+        category = category_of("quest", entity.label, path, report)
         if category is None or (entity.volume is None and category != "Picture"):
             continue
         make = _furniture if entity.volume is not None else _picture
@@ -198,13 +185,13 @@ def main() -> None:
     parser.add_argument("rooms", type=Path, help="directory for the scene files")
     options = parser.parse_args()
     options.rooms.mkdir(parents=True, exist_ok=True)
-    for stem, (name, room_type) in ROOMS.items():
+    for stem, (name, _) in ROOMS.items():
         scene_id = f"scan-{stem.replace('_', '-')}"  # sample rooms have ids of the same kind
-        text = (options.captures / f"{stem}.json").read_bytes()
-        scan = read_capture(text, name=name, room_type=room_type, scene_id=scene_id)
-        (options.rooms / f"{scene_id}.json").write_bytes(write_scene(scan.scene))
-        left_out = f", left out {len(scan.dropped)} outside the room" if scan.dropped else ""
-        sys.stdout.write(f"{name}: {len(scan.scene.boxes)} boxes{left_out}\n")
+        left_out: list[Remark] = []
+        (scan,) = read_scenes(options.captures / f"{stem}.json", left_out.append)
+        scan = replace(scan, id=scene_id)
+        (options.rooms / f"{scene_id}.json").write_bytes(write_scene(scan))
+        sys.stdout.write(f"{name}: {len(scan.boxes)} boxes, left out {len(left_out)}\n")
 
 
 if __name__ == "__main__":

@@ -6,26 +6,20 @@ heading, width, height); ``yaw`` is the heading; a ``category`` of null is clutt
 
 from __future__ import annotations
 
-import gzip
-import logging
-import zlib
-from collections.abc import Callable, Iterator
-from dataclasses import dataclass
+from collections.abc import Iterator
 from pathlib import Path
 
 import msgspec
 from msgspec import Struct
 
-from scenegen_core.errors import DataError, SceneError
+from scenegen_core.datasets.contents import Head, lines
+from scenegen_core.datasets.remarks import Report, Skipped, log
+from scenegen_core.errors import SceneError
 from scenegen_core.scene.files import OpeningRecord, RoomRecord, room_of
 from scenegen_core.scene.model import DEFAULT_HEIGHT, Box, Point, Scene, Vector3
 
 DOOR = (0.0, 2.0)  # metres; low and high edge of a door where the source gives none
 WINDOW = (0.9, 2.1)  # metres; a usual sill and head, where the source gives none
-
-OnBroken = Callable[["BrokenRow"], None]
-
-logger = logging.getLogger(__name__)
 
 
 class OpeningRow(Struct, frozen=True, omit_defaults=True):
@@ -63,44 +57,20 @@ class RoomRow(Struct, frozen=True):
     windows: tuple[OpeningRow, ...] = ()
 
 
-@dataclass(frozen=True, slots=True)
-class BrokenRow:
-    """A row that could not be used, and why."""
-
-    path: Path
-    line: int
-    """Counted from 1."""
-    reason: str
-
-    def __str__(self) -> str:
-        return f"{self.path}, line {self.line}: {self.reason}"
+def recognizes(head: Head) -> bool:
+    """Whether the first row is one of a room."""
+    return {"id", "polygon", "objects"} <= head.fields.keys()
 
 
-def _log(broken: BrokenRow) -> None:
-    logger.warning("Left out a room: %s", broken)
-
-
-def read_scenes(path: Path, *, on_broken: OnBroken = _log) -> Iterator[Scene]:
-    """The rooms of a ``.jsonl`` or ``.jsonl.gz`` file, one by one.
-
-    A broken row is given to ``on_broken`` (default: logged as a warning) and left out; DataError
-    if the file itself cannot be read.
-    """
-    for number, line in enumerate(_lines(path), start=1):
+def read_scenes(path: Path, report: Report = log) -> Iterator[Scene]:
+    """The rooms of a file of rows, one by one; a broken row is reported and left out."""
+    for number, line in enumerate(lines(path), start=1):
         if not line.strip():
             continue
         try:
             yield scene_of(msgspec.json.decode(line, type=RoomRow))
         except (msgspec.DecodeError, UnicodeDecodeError, SceneError) as error:
-            on_broken(BrokenRow(path, number, str(error)))
-
-
-def find_scene(path: Path, room_id: str) -> Scene:
-    """The room of that id; DataError if the file has none."""
-    for scene in read_scenes(path):
-        if scene.id == room_id:
-            return scene
-    raise DataError(f"There is no room {room_id!r} in {path}; check the id and the file.")
+            report(Skipped(path, f"line {number}", str(error)))
 
 
 def scene_of(row: RoomRow) -> Scene:
@@ -122,19 +92,6 @@ def scene_of(row: RoomRow) -> Scene:
         name=row.id,
         source=row.source,
     )
-
-
-def _lines(path: Path) -> Iterator[bytes]:
-    """The lines of a file, unpacked when its name ends in .gz; DataError says what is wrong."""
-    unpack = gzip.open if path.suffix == ".gz" else Path.open
-    try:
-        with unpack(path, "rb") as file:
-            yield from file
-    except (OSError, EOFError, zlib.error) as error:
-        reason = getattr(error, "strerror", None) or error
-        raise DataError(
-            f"Cannot read rooms from {path} ({reason}); check that the file is there and complete."
-        ) from error
 
 
 def _opening(opening_id: str, row: OpeningRow, usual: tuple[float, float]) -> OpeningRecord:

@@ -15,7 +15,7 @@ from server.commands.rooms import open_room
 
 def add_arguments(parser: ArgumentParser) -> None:
     """Declare what the command takes."""
-    parser.add_argument("room", type=Path, metavar="ROOM", help="a scene file, or .jsonl(.gz) rows")
+    parser.add_argument("room", type=Path, metavar="ROOM", help="a file of rooms, of any format")
     parser.add_argument("--room-id", metavar="ID", help="which room of a file of several")
     parser.add_argument("--format", choices=FORMATS, default="json")
     parser.add_argument("--out", type=Path, metavar="FILE", help="instead of the terminal")

@@ -9,7 +9,8 @@ from dataclasses import asdict
 from pathlib import Path
 
 from scenegen_core.datasets.cleaning import Reductions, clean
-from scenegen_core.datasets.rows import BrokenRow, read_scenes
+from scenegen_core.datasets.formats import read_all
+from scenegen_core.datasets.remarks import Remark, Skipped
 from scenegen_core.knowledge import Knowledge, learn, save_knowledge
 from scenegen_core.scene.model import PAPER_CATEGORIES
 
@@ -17,7 +18,7 @@ from scenegen_core.scene.model import PAPER_CATEGORIES
 def add_arguments(parser: ArgumentParser) -> None:
     """Declare what the command takes."""
     parser.add_argument(
-        "data", nargs="+", type=Path, metavar="DATA", help="rooms, .jsonl or .jsonl.gz"
+        "data", nargs="+", type=Path, metavar="DATA", help="files of rooms, of any format"
     )
     parser.add_argument(
         "--out", required=True, type=Path, metavar="FILE", help="where the knowledge goes (.npz)"
@@ -26,11 +27,8 @@ def add_arguments(parser: ArgumentParser) -> None:
 
 def run(arguments: Namespace) -> int:
     """Read, clean, learn, save, and say what came of it."""
-    broken: list[BrokenRow] = []
-    rooms = (
-        scene for path in arguments.data for scene in read_scenes(path, on_broken=broken.append)
-    )
-    scenes, reductions = clean(rooms)
+    remarks: list[Remark] = []
+    scenes, reductions = clean(read_all(arguments.data, remarks.append))
     knowledge = learn(
         scenes,
         PAPER_CATEGORIES,
@@ -38,7 +36,7 @@ def run(arguments: Namespace) -> int:
         progress=_progress(len(scenes)),
     )
     save_knowledge(knowledge, arguments.out)
-    sys.stdout.write("\n".join(_summary(knowledge, reductions, broken, arguments.out)) + "\n")
+    sys.stdout.write("\n".join(_summary(knowledge, reductions, remarks, arguments.out)) + "\n")
     return 0
 
 
@@ -55,7 +53,7 @@ def _progress(total: int) -> Callable[[int], None]:
 
 
 def _summary(
-    knowledge: Knowledge, reductions: Reductions, broken: list[BrokenRow], out: Path
+    knowledge: Knowledge, reductions: Reductions, remarks: list[Remark], out: Path
 ) -> Iterator[str]:
     """What was learned, from where, and what was left out and why."""
     yield f"{'Category':<10} {'examples':>8} {'front known':>12}   usual depth × width × height, m"
@@ -72,7 +70,8 @@ def _summary(
             f"({source.license}, {source.copyright})"
         )
     yield ""
-    for reason, count in {"broken_rows": len(broken), **asdict(reductions)}.items():
+    skipped = sum(isinstance(remark, Skipped) for remark in remarks)
+    for reason, count in {"skipped": skipped, **asdict(reductions)}.items():
         yield f"{reason.replace('_', ' '):<17} {count:>6}"
-    yield from (f"left out: {row}" for row in broken)
+    yield from (f"left out: {remark}" for remark in remarks if isinstance(remark, Skipped))
     yield f"Wrote {out} ({out.stat().st_size / 1000:.0f} kB)."

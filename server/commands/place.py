@@ -23,7 +23,7 @@ DECIMALS = 4  # of metres and radians that are printed
 
 def add_arguments(parser: ArgumentParser) -> None:
     """Declare what the command takes."""
-    parser.add_argument("room", type=Path, metavar="ROOM", help="a scene file, or .jsonl(.gz) rows")
+    parser.add_argument("room", type=Path, metavar="ROOM", help="a file of rooms, of any format")
     parser.add_argument(
         "--add",
         action="append",

@@ -113,7 +113,7 @@ def rooms_of(path: Path) -> list[Scene]:
     """Rooms from all over a file of them, or the one of a scene file."""
     if path.suffix == ".json":
         return [read_scene(path.read_bytes())]
-    rooms = list(read_scenes(path, on_broken=lambda _: None))
+    rooms = list(read_scenes(path, lambda _: None))
     return rooms[:: max(1, len(rooms) // ROOMS_A_FILE)]
 
 

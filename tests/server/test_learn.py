@@ -48,7 +48,7 @@ def test_rooms_become_a_knowledge_file_and_a_summary(
     summary = " ".join(capsys.readouterr().out.split())
     assert "Bed 5 5 2.00 × 1.60 × 0.60" in summary
     assert "Robot@VirtualHome: 5 rooms, 5 objects (MIT, © 2021 David Fernández Chaves)" in summary
-    assert "broken rows 1" in summary
+    assert "skipped 1" in summary
     assert f"left out: {one}, line 3:" in summary
 
 

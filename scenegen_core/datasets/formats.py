@@ -1,0 +1,61 @@
+"""Every form that rooms come in, recognized by content, and reading any of them."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator
+from dataclasses import dataclass
+from pathlib import Path
+
+from scenegen_core.datasets import quest, rows, scene_file
+from scenegen_core.datasets.contents import Head
+from scenegen_core.datasets.remarks import Report, Skipped, log
+from scenegen_core.errors import DataError, SceneGenError
+from scenegen_core.scene.model import Scene
+
+
+@dataclass(frozen=True, slots=True)
+class Format:
+    """A form that rooms come in."""
+
+    name: str
+    description: str
+    """What its files are, for people: "neither … nor …"."""
+    recognizes: Callable[[Head], bool]
+    read: Callable[[Path, Report], Iterator[Scene]]
+    """The rooms of a file, one by one. What is broken is reported and left out; SceneGenError if
+    nothing of the file is usable."""
+
+
+FORMATS = (
+    Format("scene", "a scene file", scene_file.recognizes, scene_file.read_scenes),
+    Format("rows", "rows of rooms", rows.recognizes, rows.read_scenes),
+    Format("quest", "a capture of a Quest headset", quest.recognizes, quest.read_scenes),
+)
+"""In the order they are tried; at most one recognizes a file."""
+
+
+def format_of(path: Path) -> Format:
+    """The format of a file; DataError if it cannot be read or is none of them."""
+    head = Head(path)
+    for form in FORMATS:
+        if form.recognizes(head):
+            return form
+    *others, last = (form.description for form in FORMATS)
+    raise DataError(
+        f"{path} is neither {', '.join(others)} nor {last}; "
+        "check that it is the right file, and complete."
+    )
+
+
+def read_scenes(path: Path, report: Report = log) -> Iterator[Scene]:
+    """The rooms of a file of any format, one by one; SceneGenError if it is not usable."""
+    return format_of(path).read(path, report)
+
+
+def read_all(paths: Iterable[Path], report: Report = log) -> Iterator[Scene]:
+    """The rooms of many files; a file that is not usable is reported and left out."""
+    for path in paths:
+        try:
+            yield from read_scenes(path, report)
+        except SceneGenError as error:
+            report(Skipped(path, "", str(error)))
