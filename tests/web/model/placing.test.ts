@@ -83,6 +83,19 @@ describe("SceneGen", () => {
     expect(answered(ahead, 5).placing).toMatchObject({ computing: false });
   });
 
+  test("after an edit that the server refused, the last answer is the newest there will be", () => {
+    const edited = play(
+      offered,
+      { type: "edit-box", box: box("table"), done: true },
+      { type: "connection", connection: { unsent: 1, revision: 1 } },
+    );
+    expect(edited.placing?.computing).toBe(true);
+    const refused = play(edited, { type: "connection", connection: { unsent: 0 } });
+    expect(refused.placing?.computing).toBe(false);
+    const accepted = play(edited, { type: "connection", connection: { unsent: 0, revision: 2 } });
+    expect(accepted.placing?.computing).toBe(true);
+  });
+
   test("the ghost follows its alternative to the newer answer", () => {
     const second = play(offered, { type: "show-alternative", rank: 2 });
     const moved = [placement(1), placement(2, { center: [3, 2, 0.4] })];

@@ -1,42 +1,24 @@
 /** What a pointer on the floor draws: the outline of a room, boxes, doors and windows. */
 import type { BoxRecord, OpeningRecord } from "../net/protocol.gen";
-import { editBox, editOpening } from "./editing";
-import {
-  add,
-  along,
-  between,
-  direction,
-  distance,
-  dot,
-  leftOf,
-  rounded,
-  scale,
-  subtract,
-} from "./geometry";
+import { editBox } from "./editing";
+import { between, direction, distance, dot, leftOf, rounded, subtract } from "./geometry";
 import { edited } from "./history";
 import { emptyScene } from "./initial";
 import { likelyCategories } from "./labels";
 import { refused } from "./notices";
+import { finishOpening, onNearestWall } from "./openings";
 import { anticlockwise, assisted, outlineProblem, withNextCorner } from "./outlines";
-import { freeId, type OpeningKind, openingsOf } from "./scenes";
+import { freeId } from "./scenes";
 import { snapPoint } from "./snapping";
 import type { Draft, Point, State, Tool } from "./state";
-import { headingFromWall, nearestWall, onWall, snappedToWall } from "./walls";
+import { headingFromWall, snappedToWall } from "./walls";
 
 /** A box drawn with a shorter side was a slip, metres. */
 const MIN_SIDE = 0.05;
 /** The height that is offered first for a drawn box: a table's, metres. */
 const FIRST_HEIGHT = 0.75;
-/** A door or window drawn shorter than this was a click: it gets the usual width, metres. */
-const MIN_OPENING = 0.2;
 /** Doors and windows this near to a redrawn wall stay, metres. */
 const STAYS = 0.3;
-
-/** Usual doors and windows, metres: width, and from where to where above the floor. */
-const USUAL = {
-  door: { width: 0.9, bottom: 0, top: 2.0 },
-  window: { width: 1.2, bottom: 0.9, top: 2.1 },
-} as const;
 
 export function chooseTool(state: State, tool: Tool): State {
   return { ...state, tool, draft: tool === "room" ? blankOutline() : null };
@@ -182,37 +164,8 @@ function addCorner(state: State, draft: Draft & { readonly kind: "room" }): Stat
 function finishBox(state: State, box: BoxRecord): State {
   const [category = "Other"] = likelyCategories(box.size, state.lists.categories);
   const next = editBox({ ...state, draft: null, tool: "select" }, { ...box, category }, true);
+  if (next.scene === state.scene) return next;
   return { ...next, selection: { kind: "box", id: box.id } };
-}
-
-function finishOpening(state: State, draft: Draft & { readonly kind: "opening" }): State {
-  const kind: OpeningKind = draft.opening;
-  const usual = USUAL[kind];
-  const wall = nearestWall(state.scene.room, draft.start);
-  if (wall === undefined) return { ...state, draft: null };
-  const drawn = distance(draft.start, draft.end);
-  const middle = drawn < MIN_OPENING ? draft.start : between(draft.start, draft.end, 0.5);
-  const opening = onWall(
-    {
-      id: freeId(kind, openingsOf(state.scene.room, kind)),
-      start: draft.start,
-      end: draft.end,
-      bottom: usual.bottom,
-      top: Math.min(usual.top, state.scene.room.height),
-    },
-    wall,
-    along(middle, wall.segment) * wall.length,
-    drawn < MIN_OPENING ? usual.width : drawn,
-  );
-  const next = editOpening({ ...state, draft: null, tool: "select" }, kind, opening, true);
-  return { ...next, selection: { kind, id: opening.id } };
-}
-
-/** The point on the wall nearest to `near`, at the height of `at` along it. */
-function onNearestWall(state: State, at: Point, near: Point): Point {
-  const wall = nearestWall(state.scene.room, near);
-  if (wall === undefined) return at;
-  return add(wall.segment[0], scale(wall.along, along(at, wall.segment) * wall.length));
 }
 
 function middleOf(opening: OpeningRecord): Point {

@@ -1,5 +1,5 @@
 /** An object on its way into the room: by hand (Manual) or by proposal (SceneGen). */
-import type { Answer, BoxRecord, Inspected } from "../net/protocol.gen";
+import type { BoxRecord } from "../net/protocol.gen";
 import { add, roundedPoint, wrapped } from "./geometry";
 import { edited } from "./history";
 import { usualSize } from "./labels";
@@ -7,7 +7,7 @@ import { refused } from "./notices";
 import { type Obstacle, obstacleOf, obstacleSentence } from "./obstacles";
 import { poseAt, resized, settled } from "./resting";
 import { freeId, withBox } from "./scenes";
-import type { HeatMap, Mode, Placing, Point, Pose, State, Vector3 } from "./state";
+import type { Mode, Placing, Point, Pose, State, Vector3 } from "./state";
 
 /** The id of the ghost as a box; no box of a scene has it. */
 export const GHOST = "ghost";
@@ -122,32 +122,6 @@ export function confirm(state: State): State {
   };
 }
 
-/** The answer to the ask in force; others, and those older than the last, change nothing. */
-export function answered(state: State, answer: Answer, heatMaps: readonly HeatMap[]): State {
-  const { placing, connection } = state;
-  if (placing === null || answer.ask !== placing.ask) return state;
-  const last = placing.answer;
-  if (last !== null && last.ask === answer.ask && answer.revision < last.revision) return state;
-  const { pose, category } = placing;
-  const next: Placing = {
-    ...placing,
-    answer,
-    heatMaps,
-    size: answer.size,
-    asset: answer.asset,
-    pose: pose === null ? null : resized(category, placing.size, answer.size, pose),
-    computing: answer.revision < connection.revision || connection.unsent > 0,
-  };
-  const follows = next.mode === "scenegen" && (next.alternative !== null || pose === null);
-  return { ...state, placing: follows ? onAlternative(next, next.alternative ?? 1) : next };
-}
-
-export function inspected(state: State, value: Inspected): State {
-  const { placing } = state;
-  if (placing === null || value.ask !== placing.ask || placing.alternative !== null) return state;
-  return { ...state, placing: { ...placing, inspected: value } };
-}
-
 /** The ghost as a box; null while it stands nowhere. */
 export function ghostBox(state: State): BoxRecord | null {
   const { placing } = state;
@@ -163,33 +137,12 @@ export function ghostObstacle(state: State): Obstacle | null {
   return ghost === null ? null : obstacleOf(state.scene, ghost);
 }
 
-/** The question again under a new id: what the old one had is no longer good. */
-export function askAgain(state: State): State {
-  if (state.placing === null) return state;
-  const placing = { ...state.placing, ask: `ask-${state.nextId}`, computing: true };
-  return { ...state, placing, nextId: state.nextId + 1 };
-}
-
-/** The ghost in another room: nothing that was said of the last one is true of this one. */
-export function inAnotherRoom(state: State): State {
-  if (state.placing === null) return state;
-  const next = askAgain(state);
-  const { placing, scene } = next;
-  if (placing === null) return next;
-  const middle = middleOf(scene.room.corners);
-  const byHand = placing.mode === "manual";
-  const pose = byHand ? poseAt(scene, placing.category, placing.size, middle) : null;
-  const alternative = byHand ? null : 1;
-  const bare = { answer: null, heatMaps: [], inspected: null };
-  return { ...next, placing: { ...placing, ...bare, pose, alternative } };
-}
-
 function placementOf(placing: Placing, rank: number) {
   return placing.answer?.placements.find((placement) => placement.rank === rank);
 }
 
 /** On that alternative, else on the first; nowhere if there is none. */
-function onAlternative(placing: Placing, rank: number): Placing {
+export function onAlternative(placing: Placing, rank: number): Placing {
   const placement = placementOf(placing, rank) ?? placing.answer?.placements[0];
   const pose =
     placement === undefined ? null : { center: placement.center, heading: placement.heading };
@@ -199,12 +152,4 @@ function onAlternative(placing: Placing, rank: number): Placing {
 function sizeOf(state: State, category: string, item: string | null): Vector3 {
   const known = state.lists.catalogue.find(({ id }) => id === item);
   return known?.size ?? usualSize(category, state.lists.categories);
-}
-
-function middleOf(corners: readonly Point[]): Point {
-  const xs = corners.map(([x]) => x);
-  const ys = corners.map(([, y]) => y);
-  const middle = (values: readonly number[]): number =>
-    (Math.min(...values) + Math.max(...values)) / 2;
-  return [middle(xs), middle(ys)];
 }

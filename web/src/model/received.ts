@@ -1,6 +1,6 @@
 /** What came over the socket, as far as it is not about the object on its way. */
 import type { Graph, SceneRecord } from "../net/protocol.gen";
-import { askAgain } from "./placing";
+import { askAgain, caughtUp } from "./answers";
 import type { Connection, State } from "./state";
 
 /** In another session revisions start anew, so what is pending is asked again. */
@@ -9,7 +9,7 @@ export function connected(state: State, change: Partial<Connection>): State {
   if (keys.every((key) => change[key] === state.connection[key])) return state;
   const next = { ...state, connection: { ...state.connection, ...change } };
   const moved = next.connection.session !== state.connection.session;
-  return moved ? askAgain({ ...next, graph: null }) : next;
+  return moved ? askAgain({ ...next, graph: null }) : caughtUp(next);
 }
 
 /** The room of a session that was begun on another device: there is nothing to undo in it. */

@@ -1,5 +1,6 @@
 /** The only thing that makes a new state. */
 import type { SceneRecord } from "../net/protocol.gen";
+import { answered, inAnotherRoom, inspected } from "./answers";
 import {
   chooseTool,
   closeOutline,
@@ -23,11 +24,8 @@ import {
 import { edited, redo, undo } from "./history";
 import { notified } from "./notices";
 import {
-  answered,
   confirm,
   dragGhost,
-  inAnotherRoom,
-  inspected,
   nudgeGhost,
   place,
   setMode,

@@ -1,0 +1,74 @@
+/** What the server says of the object on its way, and when that no longer counts. */
+import type { Answer, Inspected } from "../net/protocol.gen";
+import { onAlternative } from "./placing";
+import { poseAt, resized } from "./resting";
+import type { Connection, HeatMap, Placing, Point, State } from "./state";
+
+/** The answer to the ask in force; others, and those older than the last, change nothing. */
+export function answered(state: State, answer: Answer, heatMaps: readonly HeatMap[]): State {
+  const { placing, connection } = state;
+  if (placing === null || answer.ask !== placing.ask) return state;
+  const last = placing.answer;
+  if (last !== null && last.ask === answer.ask && answer.revision < last.revision) return state;
+  const { pose, category } = placing;
+  const next: Placing = {
+    ...placing,
+    answer,
+    heatMaps,
+    size: answer.size,
+    asset: answer.asset,
+    pose: pose === null ? null : resized(category, placing.size, answer.size, pose),
+    computing: !isUpToDate(answer, connection),
+  };
+  const follows = next.mode === "scenegen" && (next.alternative !== null || pose === null);
+  return { ...state, placing: follows ? onAlternative(next, next.alternative ?? 1) : next };
+}
+
+/** Whether the server knew, when it answered, all that it knows and is to know now. */
+function isUpToDate(answer: Answer, connection: Connection): boolean {
+  return answer.revision >= connection.revision && connection.unsent === 0;
+}
+
+/** With nothing left to send, an answer to what the server holds is the newest there will be. */
+export function caughtUp(state: State): State {
+  const { placing, connection } = state;
+  if (placing === null || placing.answer === null) return state;
+  if (placing.answer.ask !== placing.ask) return state;
+  if (!placing.computing || !isUpToDate(placing.answer, connection)) return state;
+  return { ...state, placing: { ...placing, computing: false } };
+}
+
+export function inspected(state: State, value: Inspected): State {
+  const { placing } = state;
+  if (placing === null || value.ask !== placing.ask || placing.alternative !== null) return state;
+  return { ...state, placing: { ...placing, inspected: value } };
+}
+
+/** The question again under a new id: what the old one had is no longer good. */
+export function askAgain(state: State): State {
+  if (state.placing === null) return state;
+  const placing = { ...state.placing, ask: `ask-${state.nextId}`, computing: true };
+  return { ...state, placing, nextId: state.nextId + 1 };
+}
+
+/** The ghost in another room: nothing that was said of the last one is true of this one. */
+export function inAnotherRoom(state: State): State {
+  if (state.placing === null) return state;
+  const next = askAgain(state);
+  const { placing, scene } = next;
+  if (placing === null) return next;
+  const middle = middleOf(scene.room.corners);
+  const byHand = placing.mode === "manual";
+  const pose = byHand ? poseAt(scene, placing.category, placing.size, middle) : null;
+  const alternative = byHand ? null : 1;
+  const bare = { answer: null, heatMaps: [], inspected: null };
+  return { ...next, placing: { ...placing, ...bare, pose, alternative } };
+}
+
+function middleOf(corners: readonly Point[]): Point {
+  const xs = corners.map(([x]) => x);
+  const ys = corners.map(([, y]) => y);
+  const middle = (values: readonly number[]): number =>
+    (Math.min(...values) + Math.max(...values)) / 2;
+  return [middle(xs), middle(ys)];
+}
