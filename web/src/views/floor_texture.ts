@@ -60,14 +60,14 @@ interface Paint {
 }
 
 function plankPaint(chance: () => number): Paint {
-  const hue = 31 + 5 * chance();
-  const lightness = 66 + 8 * chance();
+  const hue = 32 + 4 * chance();
+  const lightness = 68 + 7 * chance();
   const streaks = Array.from({ length: STREAKS }, () => {
     const dark = chance() < 0.6;
     const shade = `hsla(${hue - 4}, ${dark ? 42 : 55}%, ${dark ? 42 : 84}%, ${0.03 + 0.09 * chance()})`;
     return [chance(), 0.5 + 3 * chance() ** 2, shade, (chance() - 0.5) * 10] as const;
   });
-  return { base: `hsl(${hue}, ${40 + 8 * chance()}%, ${lightness}%)`, streaks };
+  return { base: `hsl(${hue}, ${32 + 8 * chance()}%, ${lightness}%)`, streaks };
 }
 
 function drawPlank(

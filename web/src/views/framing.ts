@@ -1,7 +1,7 @@
 /** From where a camera sees the whole room. Pure; core frame, metres and radians. */
 import type { Vector3 } from "../model/state";
 import type { RoomRecord } from "../net/protocol.gen";
-import { boundsOf, middleOf } from "./outline";
+import { boundsOf, middleOf, onWall, wallsOf } from "./outline";
 
 /** What of the picture is covered by panels, CSS pixels. */
 export interface Insets {
@@ -33,6 +33,9 @@ export interface Viewpoint {
   readonly position: Vector3;
   readonly target: Vector3;
 }
+
+/** The sine of the angle to a wall below which there is nothing to see on it. */
+export const SIDEWAYS = 0.3;
 
 const AIR = 1.06; // how much more than the room is in view
 
@@ -105,13 +108,15 @@ function onFloor(position: Vector3, target: Vector3, direction: Vector3): Viewpo
   };
 }
 
-/** The corners of the floor, and the tops of the far walls (the near ones are hidden). */
+/** The corners of the floor, and the tops of the walls that are not in the way. */
 function silhouette(room: RoomRecord, direction: Vector3): Vector3[] {
-  const [x, y] = middleOf(room.corners);
-  return room.corners.flatMap((corner): Vector3[] => {
-    const far = (corner[0] - x) * direction[0] + (corner[1] - y) * direction[1] < 0;
-    const foot: Vector3 = [corner[0], corner[1], 0];
-    return far ? [foot, [corner[0], corner[1], room.height]] : [foot];
+  const flat = Math.hypot(direction[0], direction[1]) || 1;
+  const walls = wallsOf(room.corners, 0);
+  return walls.flatMap((wall): Vector3[] => {
+    const out = (wall.outward[0] * direction[0] + wall.outward[1] * direction[1]) / flat;
+    const ends = [onWall(wall, 0, 0, 0), onWall(wall, wall.length, 0, 0)];
+    const tops = ends.map(([x, y]): Vector3 => [x, y, room.height]);
+    return out < -SIDEWAYS ? [...ends, ...tops] : ends;
   });
 }
 

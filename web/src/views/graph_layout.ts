@@ -2,13 +2,29 @@
 import type { Vector3 } from "../model/state";
 import type { Graph, GraphEdge, GraphNode } from "../net/protocol.gen";
 
+const BELONGS = "BelongsTo"; // the relation of an object to its group
 const OVER_MEMBERS = 0.75; // how far groups float over the middle of their members
 const ROOM_HEIGHT = 2.2; // where the node of the room floats
 const BULGE = 0.18; // of its length, how far an edge bends up
 const PIECES = 12; // straight pieces of a bent edge
 
-/** Where a node floats. */
-export function placeOf({ kind, center }: GraphNode): Vector3 {
+/** Where each node floats; a group of one is where its member is. */
+export function placesOf(graph: Graph): ReadonlyMap<string, Vector3> {
+  const lonely = new Set(graph.nodes.filter((node) => isLonely(graph, node)).map(({ id }) => id));
+  return new Map(
+    graph.nodes.map((node) => [node.id, lonely.has(node.id) ? node.center : placeOf(node)]),
+  );
+}
+
+/** Whether the node is a group with a single member: not worth a sign of its own. */
+export function isLonely(graph: Graph, node: GraphNode): boolean {
+  const members = graph.edges.filter(
+    ({ relation, target }) => relation === BELONGS && target === node.id,
+  );
+  return node.kind === "group" && members.length < 2;
+}
+
+function placeOf({ kind, center }: GraphNode): Vector3 {
   switch (kind) {
     case "object":
       return center;

@@ -1,7 +1,7 @@
 import { Group } from "three";
 import type { State, Vector3 } from "../model/state";
 import type { Graph, GraphEdge, GraphNode } from "../net/protocol.gen";
-import { arc, crest, edgesOf, lanes, placeOf } from "./graph_layout";
+import { arc, crest, edgesOf, isLonely, lanes, placesOf } from "./graph_layout";
 import { Notes } from "./notes";
 import type { Look } from "./palette";
 import type { Eye, Part } from "./part";
@@ -77,7 +77,7 @@ export class GraphView implements Part {
 
   #draw(graph: Graph, hidden: readonly string[], node: string | null): void {
     const edges = edgesOf(graph, hidden, node);
-    const places = new Map(graph.nodes.map((one) => [one.id, placeOf(one)]));
+    const places = placesOf(graph);
     const lane = lanes(edges);
     const byRelation = new Map<string, Vector3[]>();
     edges.forEach((edge, i) => {
@@ -93,7 +93,8 @@ export class GraphView implements Part {
       color: this.#look.labelText,
       background: this.#look.label,
     });
-    this.#showNodes(graph.nodes.filter(({ kind }) => kind !== "object"));
+    const signs = graph.nodes.filter((one) => one.kind !== "object" && !isLonely(graph, one));
+    this.#showNodes(signs, places);
   }
 
   #stroke(byRelation: ReadonlyMap<string, Vector3[]>, opacity: number): void {
@@ -110,7 +111,7 @@ export class GraphView implements Part {
     }
   }
 
-  #showNodes(nodes: readonly GraphNode[]): void {
+  #showNodes(nodes: readonly GraphNode[], places: ReadonlyMap<string, Vector3>): void {
     while (this.#nodes.length < nodes.length) {
       const sprite = new TextSprite();
       this.#nodes.push(sprite);
@@ -120,7 +121,7 @@ export class GraphView implements Part {
       const node = nodes[i];
       sprite.visible = node !== undefined;
       if (node) {
-        sprite.position.set(...placeOf(node));
+        sprite.position.set(...(places.get(node.id) ?? node.center));
         sprite.write(node.kind === "group" ? `all ${node.name}` : node.name, {
           size: 11,
           color: this.#look.labelText,

@@ -1,24 +1,19 @@
-import { Group, Vector3 } from "three";
+import { Group } from "three";
 import { topOf } from "../model/footprints";
 import type { State } from "../model/state";
 import type { BoxRecord } from "../net/protocol.gen";
-import { hideOverlaps, type LabelBox } from "./label_layout";
+import { hideOverlaps } from "./label_layout";
 import { categoryColor, type Look } from "./palette";
-import { type Eye, metersPerPixel, type Part } from "./part";
-import { TextSprite } from "./text_sprite";
+import type { Eye, Part } from "./part";
+import { layOut, type SpriteLabel, spriteLabel } from "./sprite_labels";
 
 const ABOVE = 0.12; // metres over the top
 
-interface Label extends LabelBox {
-  readonly sprite: TextSprite;
-}
-
-/** The names of the furniture; those that would cover others are left out. */
+/** The names of the furniture; what is selected has its lengths instead, covered names are left out. */
 export class LabelsView implements Part {
   readonly root = new Group();
-  readonly #labels = new Map<string, Label>();
-  readonly #place = new Vector3();
-  #order: Label[] = [];
+  readonly #labels = new Map<string, SpriteLabel>();
+  #order: SpriteLabel[] = [];
   #look: Look;
   #boxes: readonly BoxRecord[] | null = null;
   #selected: string | null = null;
@@ -42,8 +37,9 @@ export class LabelsView implements Part {
     }
     this.#boxes = state.scene.boxes;
     this.#selected = selected;
-    this.#removeOld(new Set(this.#boxes.map(({ id }) => id)));
-    this.#order = ranked(this.#boxes, selected).map((box) => this.#write(box, box.id === selected));
+    const others = this.#boxes.filter(({ id }) => id !== selected);
+    this.#removeOld(new Set(others.map(({ id }) => id)));
+    this.#order = biggestFirst(others).map((box) => this.#write(box));
   }
 
   update(eye: Eye): boolean {
@@ -51,15 +47,7 @@ export class LabelsView implements Part {
       return false;
     }
     for (const label of this.#order) {
-      label.sprite.getWorldPosition(this.#place);
-      const scale = metersPerPixel(eye, this.#place);
-      this.#place.project(eye.camera);
-      // Half the height of the picture is one unit of y; x is stretched by the aspect.
-      const aspect = eye.camera.projectionMatrix.elements;
-      const stretch = (aspect[5] ?? 1) / (aspect[0] ?? 1);
-      label.x = (this.#place.x * stretch * eye.pixels) / 2;
-      label.y = (this.#place.y * eye.pixels) / 2;
-      label.sprite.scale.set(label.width * scale, label.height * scale, 1);
+      layOut(label, eye);
     }
     hideOverlaps(this.#order);
     for (const label of this.#order) {
@@ -72,26 +60,22 @@ export class LabelsView implements Part {
     this.#removeOld(new Set());
   }
 
-  #write(box: BoxRecord, selected: boolean): Label {
+  #write(box: BoxRecord): SpriteLabel {
     const label = this.#labels.get(box.id) ?? this.#add(box.id);
     label.sprite.position.set(box.center[0], box.center[1], topOf(box) + ABOVE);
     label.sprite.write(box.label || box.category, {
-      size: selected ? 14 : 12,
-      bold: selected,
+      size: 12,
       color: this.#look.labelText,
       background: this.#look.label,
       chip: categoryColor(box.category),
     });
-    label.width = label.sprite.extent.width;
-    label.height = label.sprite.extent.height;
     return label;
   }
 
-  #add(id: string): Label {
-    const sprite = new TextSprite();
-    const label = { sprite, x: 0, y: 0, width: 0, height: 0, shown: true };
+  #add(id: string): SpriteLabel {
+    const label = spriteLabel();
     this.#labels.set(id, label);
-    this.root.add(sprite);
+    this.root.add(label.sprite);
     return label;
   }
 
@@ -105,9 +89,7 @@ export class LabelsView implements Part {
   }
 }
 
-/** The selected first, then from the biggest to the smallest. */
-function ranked(boxes: readonly BoxRecord[], selected: string | null): readonly BoxRecord[] {
-  const weight = (box: BoxRecord) =>
-    box.id === selected ? Number.POSITIVE_INFINITY : box.size[0] * box.size[1] * box.size[2];
-  return boxes.toSorted((a, b) => weight(b) - weight(a));
+function biggestFirst(boxes: readonly BoxRecord[]): readonly BoxRecord[] {
+  const volume = ({ size }: BoxRecord) => size[0] * size[1] * size[2];
+  return boxes.toSorted((a, b) => volume(b) - volume(a));
 }

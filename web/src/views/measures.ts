@@ -1,13 +1,15 @@
 /** The lengths that are shown: where, and what they say. Pure; core frame, metres. */
 import { draftBox } from "../model/drawing";
-import { bottomOf, footprint, topOf } from "../model/footprints";
-import { between, distance, sides } from "../model/geometry";
+import { bottomOf, floorPoint, headingOf, topOf } from "../model/footprints";
+import { add, between, direction, distance, leftOf, scale, sides } from "../model/geometry";
 import type { Point, State, Vector3 } from "../model/state";
 import { formatLength } from "../model/units";
 import type { BoxRecord, OpeningRecord } from "../net/protocol.gen";
 import type { Note } from "./notes";
 
 const ABOVE = 0.03; // metres over the floor
+const CLEAR = 0.24; // metres from the sides of a box
+const OVER = 0.36; // metres over the top of a box, above its handle
 
 /** What has its lengths shown: what is being drawn, else what is selected. */
 export function notesOf(state: State): readonly Note[] {
@@ -54,21 +56,23 @@ function lengthNote(a: Point, b: Point, height: number): Note {
   return { text: formatLength(distance(a, b)), at: [x, y, height] };
 }
 
-/** Depth and width, on the right-hand and the front side of the footprint. */
+/** Width behind the box and depth on its right, clear of the handles. */
 function sideNotes(box: BoxRecord): readonly Note[] {
-  const low = bottomOf(box) + ABOVE;
-  const [right, left, , backRight] = footprint(box);
-  if (!right || !left || !backRight) {
-    return [];
-  }
-  return [lengthNote(right, left, low), lengthNote(backRight, right, low)];
+  const ahead = direction(headingOf(box));
+  const [depth, width] = box.size;
+  const beside = (toward: Point, reach: number): Vector3 => {
+    const [x, y] = add(floorPoint(box), scale(toward, reach + CLEAR));
+    return [x, y, bottomOf(box) + ABOVE];
+  };
+  return [
+    { text: formatLength(width), at: beside(scale(ahead, -1), depth / 2) },
+    { text: formatLength(depth), at: beside(scale(leftOf(ahead), -1), width / 2) },
+  ];
 }
 
 function boxNotes(box: BoxRecord): readonly Note[] {
-  const [, left] = footprint(box);
-  const middle = (bottomOf(box) + topOf(box)) / 2;
-  const at: Vector3 = left ? [left[0], left[1], middle] : box.center;
-  return [...sideNotes(box), { text: formatLength(box.size[2]), at }];
+  const over: Vector3 = [box.center[0], box.center[1], topOf(box) + OVER];
+  return [{ text: formatLength(box.size[2]), at: over }, ...sideNotes(box)];
 }
 
 function openingNote({ start, end, bottom, top }: OpeningRecord): Note {

@@ -1,25 +1,28 @@
 import { Group } from "three";
 import type { Vector3 } from "../model/state";
+import { hideOverlaps } from "./label_layout";
 import type { Eye } from "./part";
-import { type TextLook, TextSprite } from "./text_sprite";
+import { layOut, type SpriteLabel, spriteLabel } from "./sprite_labels";
+import type { TextLook } from "./text_sprite";
 
 export interface Note {
   readonly text: string;
   readonly at: Vector3;
 }
 
-/** Short texts at places of the room; the sprites are used again and again. */
+/** Short texts at places of the room, the first ones first where they would cover one another. */
 export class Notes {
   readonly root = new Group();
-  readonly #sprites: TextSprite[] = [];
+  readonly #labels: SpriteLabel[] = [];
+  #shown: SpriteLabel[] = [];
 
   show(notes: readonly Note[], look: TextLook): void {
-    while (this.#sprites.length < notes.length) {
-      const sprite = new TextSprite();
-      this.#sprites.push(sprite);
-      this.root.add(sprite);
+    while (this.#labels.length < notes.length) {
+      const label = spriteLabel();
+      this.#labels.push(label);
+      this.root.add(label.sprite);
     }
-    this.#sprites.forEach((sprite, i) => {
+    this.#labels.forEach(({ sprite }, i) => {
       const note = notes[i];
       sprite.visible = note !== undefined;
       if (note) {
@@ -27,16 +30,21 @@ export class Notes {
         sprite.write(note.text, look);
       }
     });
+    this.#shown = this.#labels.slice(0, notes.length);
   }
 
   fit(eye: Eye): void {
-    for (const sprite of this.#sprites) {
-      sprite.fit(eye);
+    for (const label of this.#shown) {
+      layOut(label, eye);
+    }
+    hideOverlaps(this.#shown);
+    for (const { sprite, shown } of this.#shown) {
+      sprite.visible = shown;
     }
   }
 
   dispose(): void {
-    for (const sprite of this.#sprites) {
+    for (const { sprite } of this.#labels) {
       sprite.dispose();
     }
     this.root.removeFromParent();

@@ -14,6 +14,7 @@ import type { State } from "../model/state";
 import type { RoomRecord } from "../net/protocol.gen";
 import { Faces } from "./faces";
 import { oakTexture } from "./floor_texture";
+import { SIDEWAYS } from "./framing";
 import { approach } from "./motion";
 import { openingPanel, type Panel, type Wall, wallsOf, wallUnder } from "./outline";
 import type { Look } from "./palette";
@@ -50,6 +51,7 @@ export class RoomView implements Part {
   #room: RoomRecord | null = null;
   #look: Look;
   #plan = false;
+  #within = false;
   #fixed: Mesh[] = [];
   #uppers: Upper[] = [];
 
@@ -69,6 +71,7 @@ export class RoomView implements Part {
 
   show(state: State): void {
     this.#plan = state.shown.camera === "top";
+    this.#within = state.shown.camera === "walk";
     if (state.scene.room !== this.#room) {
       this.#build(state.scene.room);
     }
@@ -79,7 +82,7 @@ export class RoomView implements Part {
     this.root.worldToLocal(this.#eye);
     let moving = false;
     for (const upper of this.#uppers) {
-      const goal = this.#plan || isBehind(upper.wall, this.#eye) ? 0 : 1;
+      const goal = this.#plan || isInTheWay(upper.wall, this.#eye, this.#within) ? 0 : 1;
       if (upper.opacity !== goal) {
         upper.opacity = approach(upper.opacity, goal, eye.elapsed, FADE);
         setOpacity(upper, upper.opacity);
@@ -185,10 +188,16 @@ function setOpacity({ mesh, glass }: Upper, opacity: number): void {
   }
 }
 
-/** Whether the eye sees the wall from outside, so that the wall would hide the room. */
-function isBehind(wall: Wall, eye: Vector3): boolean {
-  const out = (eye.x - wall.start[0]) * wall.outward[0] + (eye.y - wall.start[1]) * wall.outward[1];
-  return out > MARGIN;
+/**
+ * Whether the wall would hide the room: the eye sees it from outside, or so much from the side
+ * that there is nothing to see on it. For an eye within the room only the first counts.
+ */
+function isInTheWay(wall: Wall, eye: Vector3, within: boolean): boolean {
+  const half = wall.length / 2;
+  const x = eye.x - wall.start[0] - wall.along[0] * half;
+  const y = eye.y - wall.start[1] - wall.along[1] * half;
+  const out = x * wall.outward[0] + y * wall.outward[1];
+  return within ? out > MARGIN : out > -SIDEWAYS * Math.hypot(x, y);
 }
 
 function panelsByWall(walls: readonly Wall[], openings: RoomRecord["doors"]): Panel[][] {

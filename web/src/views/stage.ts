@@ -1,4 +1,4 @@
-import { ACESFilmicToneMapping, Color, PCFShadowMap, Scene, WebGLRenderer } from "three";
+import { Color, NeutralToneMapping, PCFShadowMap, Scene, WebGLRenderer } from "three";
 import type { Assets, StageView } from "../contract";
 import type { Action, Point, State } from "../model/state";
 import { Cameras } from "./cameras";
@@ -219,7 +219,7 @@ function createRenderer(): WebGLRenderer {
     antialias: devicePixelRatio < 2,
     powerPreference: "high-performance",
   });
-  renderer.toneMapping = ACESFilmicToneMapping;
+  renderer.toneMapping = NeutralToneMapping;
   renderer.shadowMap.enabled = true;
   renderer.shadowMap.type = PCFShadowMap;
   renderer.shadowMap.autoUpdate = false;
