@@ -4,9 +4,12 @@ from __future__ import annotations
 
 import re
 
+from scenegen_core.scene.model import Box
+
 CORNER = 2  # walls; whoever is near two or more is near a corner (paper, RoomPosition)
 
 TOUCHING = 0.05  # metres; a distance that is shown as none
+LONG = 0.95  # metres; from here on lengths are told in metres ("1.0 m"), below in centimetres
 
 SINGULAR = {"Decor": "decor piece", "Storage": "storage piece", "Other": "other thing"}
 """Categories whose name is no word for one thing."""
@@ -18,9 +21,19 @@ def noun(name: str) -> str:
     return " ".join(word if word.isupper() else word.lower() for word in spaced.split())
 
 
+def spoken(box: Box) -> str:
+    """What people call a box within a sentence: by its label, else by its category."""
+    return noun(box.label or box.category)
+
+
 def nouns(category: str) -> str:
     """Several things of a category within a sentence: chairs, TVs, storage pieces."""
     return f"{noun(category)}s"
+
+
+def metres(length: float) -> str:
+    """A length as people say it: 1.1 m, 40 cm."""
+    return f"{length:.1f} m" if length >= LONG else f"{round(length * 100, -1):.0f} cm"
 
 
 def the(name: str, count: int) -> str:
@@ -55,7 +68,7 @@ def about_group(relation: str, value: float, category: str, members: int) -> str
         case "AverageDistance" if value < TOUCHING:
             return f"right at {the(category, members)}"
         case "AverageDistance":
-            return f"{value:.1f} m from {the(category, members)}"
+            return f"{metres(value)} from {the(category, members)}"
         case "SurroundedBy":
             return f"close to {those}"
         case "Support":

@@ -80,7 +80,7 @@ class HeatMap:
 
 @dataclass(frozen=True, slots=True)
 class NoGoodPlace:
-    """Why there is no place: the rule that forbids most poses, and a sentence that says so."""
+    """Why there is no place: the rule that forbids most of what fits, and a sentence on it."""
 
     rule: str
     text: str

@@ -13,7 +13,7 @@ from scenegen_core.graph.situation import Situation
 from scenegen_core.graph.surroundings import Surroundings
 from scenegen_core.placement.answer import Reason
 from scenegen_core.placement.paper_model import PaperModel, Share
-from scenegen_core.placement.words import reason_text
+from scenegen_core.placement.reasons import reason_text
 
 REFERENCES = 500  # poses that stand for all possible ones of a room
 ROOMS_NAMED = 3
@@ -39,6 +39,10 @@ class Explainer:
     def __init__(self, model: PaperModel, around: Surroundings, possible: Candidates) -> None:
         self._model = model
         self._around = around
+        self._members = {
+            group.name: [around.scene.boxes[i] for i in np.flatnonzero(around.group_of == index)]
+            for index, group in enumerate(around.groups)
+        }
         step = max(1, len(possible) // REFERENCES)
         reference = model.shares(Situation(possible[::step], around))
         self._average = [_parts(share).mean(axis=0) for share in reference]
@@ -63,11 +67,11 @@ class Explainer:
         score = sum(reason.contribution for reason in reasons)
         return Explanation(score, tuple(reasons), _loudest(shares))
 
-    @staticmethod
-    def _text(relation: str, group: str, values: dict[tuple[str, str], float]) -> str:
+    def _text(self, relation: str, group: str, values: dict[tuple[str, str], float]) -> str:
         if relation == AGREEMENT:
             return "how many known rooms agree"
-        return reason_text(relation, group, values[relation, group])
+        members = self._members.get(group, [])
+        return reason_text(relation, group, values[relation, group], members)
 
 
 def _parts(share: Share) -> np.ndarray[tuple[int, int], np.dtype[np.float64]]:

@@ -7,10 +7,10 @@ from collections.abc import Mapping
 import numpy as np
 
 from scenegen_core.graph.situation import Situation
+from scenegen_core.graph.wording import noun, spoken
 from scenegen_core.placement.answer import NoGoodPlace
 from scenegen_core.placement.feasible import hit_boxes
 from scenegen_core.placement.mounts import Mount, mounts
-from scenegen_core.placement.words import spoken
 from scenegen_core.scene.model import Vector3
 
 
@@ -44,12 +44,19 @@ def _rests_on_nothing(situation: Situation) -> str:
 def no_good_place(
     category: str, size: Vector3, counts: Mapping[str, int], closed: str | None
 ) -> NoGoodPlace:
-    """Why nothing is possible; ``counts`` says how many poses each rule forbids."""
-    name = category if category == "TV" else category.lower()
-    thing = f"a {name} of {size[0]:.2g} × {size[1]:.2g} × {size[2]:.2g} m"
-    rule = max(counts, key=lambda key: counts[key])
+    """Why nothing is possible; ``counts`` says how many poses each rule is the first to forbid.
+
+    Most poses of a grid stick through a wall, whatever the room: those that the empty room would
+    take tell more, if there are any.
+    """
+    name = noun(category)
+    article = "an" if name[0] in "aeiou" else "a"
+    thing = f"{article} {name} of {size[0]:.2g} × {size[1]:.2g} × {size[2]:.2g} m"
     if not any(counts.values()):
         return NoGoodPlace("mount", f"There is nothing here that {thing} could stand or hang on.")
+    telling = {rule: count for rule, count in counts.items() if rule not in ("room", "mount")}
+    among = telling if any(telling.values()) else counts
+    rule = max(among, key=lambda key: among[key])
     why = {
         "room": "no stretch of floor or wall is large enough for it",
         "mount": "there is nothing that it could stand or hang on",
@@ -58,6 +65,5 @@ def no_good_place(
         "window": "it would cover the windows",
         "path": f"wherever it fits it would close the way to {closed}",
     }[rule]
-    return NoGoodPlace(
-        rule, f"No good place for {thing}: {why}. Try a smaller one, or move something."
-    )
+    remedy = "Try a smaller one." if rule == "room" else "Try a smaller one, or move something."
+    return NoGoodPlace(rule, f"No good place for {thing}: {why}. {remedy}")

@@ -11,6 +11,7 @@ from scenegen_core.errors import SceneError
 from scenegen_core.graph.candidates import Candidates
 from scenegen_core.graph.situation import Situation
 from scenegen_core.graph.surroundings import Surroundings
+from scenegen_core.graph.wording import noun
 from scenegen_core.knowledge.knowledge import CategoryKnowledge, Knowledge
 from scenegen_core.placement.alternatives import BLOCKED_ID, Choice, choose
 from scenegen_core.placement.answer import (
@@ -114,7 +115,7 @@ def _size(query: Query, learnt: CategoryKnowledge) -> Vector3:
     size = query.size or learnt.usual_size
     if not all(MIN_SIZE <= length <= MAX_SIZE for length in size):
         raise SceneError(
-            f"A {query.category.lower()} cannot be {' × '.join(f'{s:g}' for s in size)} m; "
+            f"A {noun(query.category)} cannot be {' × '.join(f'{s:g}' for s in size)} m; "
             f"give depth, width and height between {MIN_SIZE:g} and {MAX_SIZE:g} metres."
         )
     return size

@@ -13,9 +13,9 @@ import numpy as np
 from scipy import ndimage
 
 from scenegen_core.graph.surroundings import Surroundings
+from scenegen_core.graph.wording import spoken
 from scenegen_core.placement.mounts import RUG_HEIGHT
 from scenegen_core.placement.proposals import CELL, floor_points
-from scenegen_core.placement.words import spoken
 from scenegen_core.scene.geometry import (
     Bools,
     Floats,

@@ -2,16 +2,16 @@
 
 from __future__ import annotations
 
-import re
-from math import pi
+from math import pi, sqrt
 
 import numpy as np
+import shapely
 
-from scenegen_core.graph.relations import ABSENT
 from scenegen_core.graph.situation import Situation
+from scenegen_core.graph.wording import metres, spoken
 from scenegen_core.placement.mounts import SUPPORTS
 from scenegen_core.placement.proposals import inward
-from scenegen_core.scene.geometry import directions, distances_to_segments
+from scenegen_core.scene.geometry import Floats, directions, gaps, walls_as_rectangles
 from scenegen_core.scene.model import Box, Category, Symmetry
 
 AGAINST = 0.25  # metres between footprint and wall that people still call "against"
@@ -19,28 +19,29 @@ CLOSE_BY = 0.8  # metres between footprint and wall that people call "near"
 BESIDE = 0.35  # metres between two things that people call "next to"
 IN_VIEW = 6.0  # metres as far as something is faced
 NEIGHBOR = 3.0  # metres as far as a distance is worth telling
+ON_TOP = 0.1  # metres between an underside and the top that it stands on
+CENTRAL = 0.2  # of the side of a square as large as the room: so far reaches its middle
 FACING_GROUPS = ("TV", "Table", "Sofa", "Bed", "Picture", "Storage", "Chair")
 """What a sentence says is faced, the most telling first."""
+UNTOLD_GROUPS = ("Other", "Decor", "Picture")
+"""What nobody would measure a distance from."""
 
 COMPASS = ("east", "north-east", "north", "north-west", "west", "south-west", "south", "south-east")
 
 
 def sentence(situation: Situation, category: Category) -> str:
     """One sentence on the single pose of a situation, without its subject."""
-    parts = [_place(situation, category), *_neighbor(situation), *_front(situation, category)]
-    text = ", ".join(part for part in parts if part)
+    faced = _faced(situation) if category.symmetry is Symmetry.ASYMMETRIC else None
+    neighbor = _neighbor(situation, faced)
+    parts = [_place(situation)]
+    if neighbor is not None:
+        parts.append(_beside(situation, neighbor))
+    if faced is not None:
+        parts.append(_facing(faced, neighbor))
+    elif category.symmetry is Symmetry.ASYMMETRIC:
+        parts.append(f"facing {compass(float(situation.candidates.headings[0]))}")
+    text = ", ".join(parts)
     return text[0].upper() + text[1:]
-
-
-def spoken(box: Box) -> str:
-    """What people call a box: its label in plain lower case, else its category."""
-    words = re.sub(r"(?<=[a-z])(?=[A-Z])", " ", box.label or box.category).replace("_", " ")
-    return words if words == "TV" or words.startswith("TV ") else words.lower()
-
-
-def metres(length: float) -> str:
-    """A length as people say it."""
-    return f"{length:.1f} m" if length >= 0.95 else f"{round(length * 100, -1):.0f} cm"  # noqa: PLR2004 (1.0 m)
 
 
 def compass(heading: float) -> str:
@@ -48,51 +49,54 @@ def compass(heading: float) -> str:
     return COMPASS[round(heading / (pi / 4)) % 8]
 
 
-def side_of_wall(situation: Situation, wall: int) -> str:
-    """Which wall it is: the side of the room that it closes."""
-    return compass(float(inward(situation.surroundings.walls)[wall]) + pi)
-
-
-def _place(situation: Situation, category: Category) -> str:
+def _place(situation: Situation) -> str:
     carrier = _carrier(situation)
     if carrier is not None:
         return f"on the {spoken(carrier)}"
-    near = situation.wall_gaps[0]
-    order = np.argsort(near, kind="stable")
-    sides = list(
-        dict.fromkeys(side_of_wall(situation, wall) for wall in order if near[wall] < AGAINST)
-    )
-    hangs = situation.candidates.bottoms[0] > AGAINST
-    if hangs:
-        return f"on the {sides[0]} wall" if sides else "on the wall"
+    walls, near = situation.surroundings.walls, situation.wall_gaps[0]
+    outward = inward(walls) + pi
+    if situation.candidates.bottoms[0] > AGAINST:
+        behind = np.cos(outward - situation.candidates.headings[0])
+        back = np.where(near < AGAINST, behind, np.inf).argmin()
+        return f"on the {compass(float(outward[back]))} wall" if near[back] < AGAINST else "hanging"
+    nearest = compass(float(outward[near.argmin()]))
     window = _by_window(situation)
-    if len(sides) > 1 and (corner := _corner(sides[0], sides[1])):
-        return f"in the {corner} corner"
-    if sides:
-        return f"against the {sides[0]} wall{window}"
-    if near[order[0]] < CLOSE_BY:
-        return f"near the {side_of_wall(situation, order[0])} wall{window}"
-    return (
-        f"in the open floor{window}"
-        if category.symmetry is not Symmetry.SYMMETRIC
-        else (f"in the middle of the floor{window}")
-    )
+    if near.min() < AGAINST:
+        corner = _corner(walls, near)
+        return f"in the {corner} corner" if corner else f"against the {nearest} wall{window}"
+    if near.min() < CLOSE_BY:
+        return f"near the {nearest} wall{window}"
+    return f"{'in the middle of' if _is_central(situation) else 'out in'} the room{window}"
 
 
-def _corner(one: str, two: str) -> str:
-    """Give "north-west" of "west" and "north"; empty if they do not make a corner."""
-    pair = {one, two}
-    return next((name for name in COMPASS if "-" in name and set(name.split("-")) == pair), "")
+def _corner(walls: Floats, near: Floats) -> str:
+    """The side of the plan of the corner between two walls that are touched; empty if none."""
+    run = walls[:, 1] - walls[:, 0]
+    unit = run / np.hypot(run[:, 0], run[:, 1])[:, None]
+    after = np.roll(unit, -1, axis=0)
+    turns = unit[:, 0] * after[:, 1] - unit[:, 1] * after[:, 0]
+    touched = near < AGAINST
+    found = touched & np.roll(touched, -1) & (turns > sqrt(0.5))
+    if not found.any():
+        return ""
+    x, y = (unit - after)[found.argmax()]  # from the middle into the corner
+    return compass(float(np.arctan2(y, x)))
+
+
+def _is_central(situation: Situation) -> bool:
+    room = shapely.Polygon(situation.surroundings.scene.room.corners)
+    x, y, _ = situation.candidates.centers[0]
+    return bool(np.hypot(x - room.centroid.x, y - room.centroid.y) < CENTRAL * sqrt(room.area))
 
 
 def _by_window(situation: Situation) -> str:
     windows = situation.surroundings.scene.room.windows
     if not windows:
         return ""
-    segments = np.array([(w.start, w.end) for w in windows], dtype=float)
-    center = situation.candidates.centers[:, :2]
-    reach = max(situation.candidates.size[:2]) / 2 + CLOSE_BY
-    return " by the window" if distances_to_segments(center, segments).min() < reach else ""
+    panes = walls_as_rectangles(np.array([(w.start, w.end) for w in windows], dtype=float))
+    if gaps(situation.candidates.footprints, panes).min() >= CLOSE_BY:
+        return ""
+    return " by the window" if len(windows) == 1 else " by a window"
 
 
 def _carrier(situation: Situation) -> Box | None:
@@ -101,72 +105,62 @@ def _carrier(situation: Situation) -> Box | None:
     carriers = SUPPORTS.get(candidates.category, ())
     for index in np.flatnonzero(situation.meets[0]):
         box = around.scene.boxes[index]
-        if box.category in carriers and abs(box.top - candidates.bottoms[0]) < BESIDE / 4:
+        if box.category in carriers and abs(box.top - candidates.bottoms[0]) < ON_TOP:
             return box
     return None
 
 
-def _neighbor(situation: Situation) -> list[str]:
-    """How far the nearest piece is that one would measure from."""
+def _neighbor(situation: Situation, faced: Box | None) -> Box | None:
+    """The nearest piece that one would measure from, besides what is faced from afar."""
+    unasked = (*UNTOLD_GROUPS, situation.candidates.category)
+    stands = _carrier(situation) is not None
     boxes = situation.surroundings.scene.boxes
-    faced = _faced(situation)
-    carrier = _carrier(situation)
     told = [
-        (float(situation.gaps[0, i]), box)
-        for i, box in enumerate(boxes)
-        if box.category not in ("Other", "Decor", "Picture", situation.candidates.category)
-        and box is not faced
-        and box is not carrier
+        (gap, index)
+        for index, gap in enumerate(situation.gaps[0].tolist())
+        if boxes[index].category not in unasked
+        and gap <= NEIGHBOR
+        and (boxes[index] is not faced or gap <= 0)
+        and (not stands or gap > 0)
     ]
-    if not told:
-        return []
-    gap, box = min(told, key=lambda pair: pair[0])
-    if gap > NEIGHBOR:
-        return []
-    if gap < 0:
-        over = situation.candidates.bottoms[0] >= box.top - AGAINST
-        return [f"above the {spoken(box)}" if over else f"at the {spoken(box)}"]
-    return [
-        f"next to the {spoken(box)}" if gap < BESIDE else f"{metres(gap)} from the {spoken(box)}"
-    ]
+    return boxes[min(told)[1]] if told else None
 
 
-def _front(situation: Situation, category: Category) -> list[str]:
-    if category.symmetry is not Symmetry.ASYMMETRIC:
-        return []
-    faced = _faced(situation)
-    if faced is not None:
-        return [f"facing the {spoken(faced)}"]
-    return [f"facing {compass(float(situation.candidates.headings[0]))}"]
+def _beside(situation: Situation, box: Box) -> str:
+    """How it stands to a box near by."""
+    gap = float(situation.gaps[0, situation.surroundings.scene.boxes.index(box)])
+    if gap <= 0:
+        return f"{_over(situation, box)} the {spoken(box)}"
+    return f"next to the {spoken(box)}" if gap < BESIDE else f"{metres(gap)} from the {spoken(box)}"
+
+
+def _over(situation: Situation, box: Box) -> str:
+    """How it lies to a box over the same floor: above, under or at it."""
+    if situation.candidates.bottoms[0] >= box.top - AGAINST:
+        return "above"
+    return "under" if situation.candidates.tops[0] <= box.bottom + AGAINST else "at"
+
+
+def _facing(faced: Box, neighbor: Box | None) -> str:
+    """What it faces, once something near by has been named."""
+    if neighbor is None or spoken(faced) != spoken(neighbor):
+        return f"facing the {spoken(faced)}"
+    return "facing it" if faced is neighbor else f"facing another {spoken(faced)}"
 
 
 def _faced(situation: Situation) -> Box | None:
-    """The most telling thing ahead, within sight."""
+    """The most telling thing ahead, within sight; of one kind the nearest."""
     around = situation.surroundings
-    ahead = situation.faces[0] & (situation.gaps[0] < IN_VIEW) & (situation.gaps[0] > 0)
     toward = directions(situation.candidates.headings)[0]
-    side = (around.centers[:, :2] - situation.candidates.centers[0, :2]) @ toward
-    seen = [around.scene.boxes[i] for i in np.flatnonzero(ahead & (side > 0))]
-    ranked = [box for group in FACING_GROUPS for box in seen if box.category == group]
-    return ranked[0] if ranked else None
-
-
-def reason_text(relation: str, group: str, value: float) -> str:
-    """What one column of a feature vector says, in words."""
-    count = round(value)
-    name = group if group == "TV" else group.lower()
-    names = name if count == 1 or name in ("storage", "decor", "other") else f"{name}s"
-    texts = {
-        "RP": f"near {count} wall{'' if count == 1 else 's'}" if count else "away from the walls",
-        "AD": f"{metres(value)} from the {name}" if value < ABSENT else f"no {name} in the room",
-        "S": f"{count} {names} within 1 m" if count else f"no {name} within 1 m",
-        "SP": {1: f"stands on {name}", -1: f"stands under {name}"}.get(count, f"not on {name}"),
-        "TC": "faces the middle of the room" if count else "turned to a near wall",
-        "AW": "its back to the nearest wall" if count else "its back to no wall",
-        "DS": f"{count} neighbors face the {group} way"
-        if count
-        else f"no neighbor faces the {group} way",
-        "F": f"faces {count} {names}" if count else f"faces no {name} close by",
-        "NT": f"next to {count} {names}" if count else f"next to no {name}",
-    }
-    return texts[relation]
+    ahead = (around.centers[:, :2] - situation.candidates.centers[0, :2]) @ toward > 0
+    gap = situation.gaps[0]
+    seen = [
+        (FACING_GROUPS.index(box.category), gap[index], index)
+        for index, box in enumerate(around.scene.boxes)
+        if box.category in FACING_GROUPS
+        and situation.faces[0, index]
+        and ahead[index]
+        and gap[index] < IN_VIEW
+        and (gap[index] > 0 or _over(situation, box) == "at")
+    ]
+    return around.scene.boxes[min(seen)[2]] if seen else None

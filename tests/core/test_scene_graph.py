@@ -76,7 +76,7 @@ def test_nodes_stand_where_their_things_are(graph: SceneGraph) -> None:
         ("object:table", "room", "in the middle of the room"),
         ("object:sofa", "room", "has its back to the wall"),
         ("object:sofa", "room", "faces into the room"),
-        ("object:sofa", "group:Table", "0.6 m from the table"),
+        ("object:sofa", "group:Table", "60 cm from the table"),
         ("object:table", "group:Chair", "1.0 m from the chairs"),
         ("object:vase", "group:Table", "right at the table"),
         ("object:sofa", "group:Chair", "close to 2 chairs"),
@@ -102,7 +102,7 @@ def test_relations_to_the_room_and_to_groups_are_told(
             "object:sofa",
             "object:stool",
             {
-                "0.3 m from the chair",
+                "30 cm from the chair",
                 "next to the chair",
                 "faces the opposite way to the chair",
             },
