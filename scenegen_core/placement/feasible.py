@@ -36,6 +36,7 @@ LAYER = 0.01  # metres of common height below which two things do not meet
 TUCK = 0.35  # metres that a chair's seat goes under a table
 DOOR_DEPTH = 1.5  # metres; a wider opening has no leaf that swings further
 WINDOW_DEPTH = 0.5  # metres in front of a window that tall things leave free
+HANGING_TURN = np.pi / 16  # radians that what hangs may be turned from its wall
 RESTS = 0.05  # metres; undersides this near to what carries them rest on it
 
 NATURAL_OVERLAPS: dict[frozenset[str], float] = {frozenset({"Chair", "Table"}): TUCK}
@@ -119,10 +120,9 @@ def _floats(situation: Situation) -> Bools:
     if Mount.FLOOR in kinds:
         rests |= np.abs(candidates.bottoms) <= RESTS
     if Mount.WALL in kinds:
-        nearest = situation.wall_gaps.argmin(axis=1)
-        turned = wrapped(candidates.headings - inward(around.walls)[nearest])
-        near = situation.wall_gaps.min(axis=1) <= RESTS
-        rests |= near & (np.abs(turned) <= np.pi / 16) & (candidates.bottoms > RESTS)
+        turned = np.abs(wrapped(candidates.headings[:, None] - inward(around.walls)))
+        hangs = (situation.wall_gaps <= RESTS) & (turned <= HANGING_TURN)
+        rests |= hangs.any(axis=1) & (candidates.bottoms > RESTS)
     if Mount.TOP in kinds:
         carriers = SUPPORTS.get(candidates.category, ())
         carries = np.array([box.category in carriers for box in around.scene.boxes], dtype=bool)
