@@ -1,6 +1,7 @@
 /** What is shown over the room: the map, its legend, the graph, the names. */
 import { html, nothing, type TemplateResult } from "lit";
 import type { HeatMap, Layer, State } from "../model/state";
+import { relationLook } from "../views/relation_looks";
 import { toolButton } from "./controls";
 import type { IconName } from "./icons";
 import type { Page } from "./page";
@@ -12,19 +13,19 @@ const LAYERS: readonly { layer: Layer; icon: IconName; label: string; keys: stri
   { layer: "labels", icon: "labels", label: "Names", keys: "L" },
 ];
 
-/** Over the room on a desk: the legend, the relations, the switches; on a phone the switches. */
+const PIXELS = 50; // a metre of a line in the room, in the sample
+
+/** Over the room on a desk; on a phone it is a part of the sheet. */
 export function layers(page: Page): TemplateResult {
-  return html`<section class="layers" aria-label="What is shown">
-    <div class="desk-only">${legend(page)} ${relations(page)}</div>
-    ${toggles(page)}
-  </section>`;
+  return html`<section class="layers desk-only" aria-label="What is shown">${content(page)}</section>`;
 }
 
-/** In the sheet of a phone: the legend and the relations. */
-export function layersPanel(page: Page): TemplateResult | typeof nothing {
-  const [map, graph] = [legend(page), relations(page)];
-  if (map === nothing && graph === nothing) return nothing;
-  return html`<section class="part phone-only" aria-label="Colors and lines">${map} ${graph}</section>`;
+export function layersPanel(page: Page): TemplateResult {
+  return html`<section class="part phone-only" aria-label="What is shown">${content(page)}</section>`;
+}
+
+function content(page: Page): TemplateResult {
+  return html`${legend(page)} ${relations(page)} ${toggles(page)}`;
 }
 
 function toggles({ state, dispatch }: Page): TemplateResult {
@@ -50,7 +51,7 @@ function legend({ state, dispatch }: Page): TemplateResult | typeof nothing {
     <p class="ends"><span>unlikely</span><span>likely</span></p>
     ${numbers(map)} ${probe(state)}
     <label class="slider"
-      ><span>Strength of the colors</span
+      ><span>Strength</span
       ><input
         type="range"
         min="0.1"
@@ -99,9 +100,17 @@ function relations({ state, dispatch }: Page): TemplateResult | typeof nothing {
           type="checkbox"
           .checked=${!state.shown.hiddenRelations.includes(relation)}
           @change=${() => dispatch({ type: "toggle-relation", relation })}
-        /><svg class="line" data-relation=${relation} viewBox="0 0 32 8" aria-hidden="true"><path d="M1 4h30" /></svg
-        ><span>${relationInWords(relation)}</span></label
+        />${line(relation)}<span>${relationInWords(relation)}</span></label
       >`,
     )}
   </div>`;
+}
+
+/** A piece of the line that stands for the relation. */
+function line(relation: string): TemplateResult {
+  const { color, dash } = relationLook(relation);
+  const pattern = dash === undefined ? nothing : dash.map((length) => length * PIXELS).join(" ");
+  return html`<svg class="line" viewBox="0 0 32 8" aria-hidden="true">
+    <path d="M1 4h30" stroke=${color} stroke-dasharray=${pattern} />
+  </svg>`;
 }

@@ -11,6 +11,7 @@ const RELATION_WORDS: Readonly<Record<string, string>> = {
   DirectionSimilarity: "Lined up with others",
   Facing: "Facing",
   NextTo: "Next to",
+  BelongsTo: "Part of a group",
 };
 
 /** A category inside a sentence: "sofa", but "TV". */
