@@ -1,7 +1,8 @@
 """The only place where axes are swapped.
 
 Core: right-handed, z up, heading anticlockwise from +x. Page, glTF and WebXR: right-handed,
-y up; a model's front looks along +z (the glTF convention).
+y up; a model's front looks along +z (the glTF convention). Unity: left-handed, y up; a model's
+front looks along +z, and it turns clockwise as seen from above.
 """
 
 from __future__ import annotations
@@ -32,3 +33,13 @@ def page_turn(heading: float) -> float:
 def heading_of_turn(turn: float) -> float:
     """The heading of a model turned about the page's +y; the inverse of :func:`page_turn`."""
     return turn - pi / 2
+
+
+def unity_to_core(points: Floats) -> Floats:
+    """Unity's points as core points, (…, 3) metres: y and z change places, which turns the hand."""
+    return np.stack([points[..., 0], points[..., 2], points[..., 1]], axis=-1)
+
+
+def heading_of_unity_turn(turn: float) -> float:
+    """The heading of a model turned about Unity's +y, radians."""
+    return pi / 2 - turn

@@ -10,7 +10,14 @@ from typing import Any
 import numpy as np
 import pytest
 
-from scenegen_core.scene.frames import heading_of_turn, page_turn, to_core, to_page
+from scenegen_core.scene.frames import (
+    heading_of_turn,
+    heading_of_unity_turn,
+    page_turn,
+    to_core,
+    to_page,
+    unity_to_core,
+)
 
 GOLDEN: dict[str, Any] = json.loads(
     (Path(__file__).parents[1] / "golden" / "frames.json").read_text(encoding="utf-8")
@@ -45,3 +52,21 @@ def test_a_turned_model_looks_where_its_heading_points(front: dict[str, Any]) ->
     turn = page_turn(radians(front["heading_degrees"]))
     looks_along = [sin(turn), 0.0, cos(turn)]  # +z turned about +y
     np.testing.assert_allclose(looks_along, front["page_front"], atol=1e-12)
+
+
+def test_what_unity_has_ahead_and_above_lies_ahead_and_above() -> None:
+    right, up, forward = np.eye(3)
+    assert unity_to_core(right).tolist() == [1, 0, 0]
+    assert unity_to_core(forward).tolist() == [0, 1, 0]
+    assert unity_to_core(up).tolist() == [0, 0, 1]
+
+
+def test_unitys_left_hand_becomes_a_right_hand() -> None:
+    right, up, forward = unity_to_core(np.eye(3))
+    # Left-handed: right x up = forward only with the opposite sign of the usual product.
+    np.testing.assert_array_equal(np.cross(right, up), -forward)
+
+
+@pytest.mark.parametrize(("turn", "heading"), [(0, 90), (90, 0), (180, -90), (270, -180)])
+def test_unity_turns_clockwise_from_straight_ahead(turn: float, heading: float) -> None:
+    assert degrees(heading_of_unity_turn(radians(turn))) == pytest.approx(heading)
