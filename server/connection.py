@@ -25,11 +25,7 @@ from server.effects import (
 from server.engine import Cancel, Engine
 from server.incoming import Incoming
 from server.outbox import Frame, Outbox
-from server.protocol import (
-    AssetHeader,
-    Hello,
-    Problem,
-)
+from server.protocol import AssetHeader, Hello, Problem
 from server.results import Step as ResultStep
 from server.results import examined, furnished, graphed, solved
 from server.session import Session, Step, greet, handle
@@ -62,8 +58,8 @@ class Connection:
                     await self._send(item)
                     if isinstance(item, Close):
                         return
-        except WebSocketDisconnect:
-            return  # the reader hears of it too, and ends the connection
+        except (WebSocketDisconnect, RuntimeError):
+            return  # closed by the other side or by the server; the reader hears of it too
 
     async def talk(self, session: Session, hello: Hello) -> None:
         """Serve the session until the socket closes."""

@@ -69,7 +69,7 @@ class Live:
         try:
             await connection.talk(session, hello)
         finally:
-            if self._open[session.id] is connection:
+            if self._open.get(session.id) is connection:
                 del self._open[session.id]
                 self._engine.forget(session.id)
 

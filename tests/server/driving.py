@@ -25,6 +25,7 @@ from server.protocol import (
     FrameHeader,
     HeatMapHeader,
     Hello,
+    Problem,
     PutScene,
     ServerMessage,
     Welcome,
@@ -64,11 +65,12 @@ class Page:
         return header
 
     def until(self, kind: type[M]) -> M:
-        """The next message of a kind; others are skipped."""
+        """The next message of a kind; others are skipped, but a problem is none to skip."""
         while True:
             message = self.next()
             if isinstance(message, kind):
                 return message
+            assert not isinstance(message, Problem), message.text
 
     def open(self, scene: SceneRecord = SCENE) -> Welcome:
         """Say hello as a new page and upload a scene as edit 1."""

@@ -145,6 +145,7 @@ def test_refused_edits_do_not_count_as_bad_frames(url: str) -> None:
     with drawn(url) as here:
         for _ in range(MAX_ERRORS + 1):
             here.socket.send(put_scene(corners=CROSSING))
+            assert here.until(Problem).code == "bad_scene"
         here.send(Ping(nonce=1))
         assert here.until(Pong).nonce == 1
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import sqlite3
 from pathlib import Path
 
 import msgspec
@@ -26,6 +27,7 @@ from server.protocol import (
     Models,
     Ping,
     Pong,
+    Problem,
     PutBox,
     PutScene,
     Query,
@@ -188,6 +190,36 @@ def test_a_second_socket_of_a_session_replaces_the_first(url: str) -> None:
             assert "elsewhere" in reason
             second.send(RemoveBox(seq=2, id="table"))
             assert second.until(Ack) == Ack(seq=2, revision=2)
+
+
+def test_a_session_survives_that_its_first_socket_ends_after_its_second(url: str) -> None:
+    with page(url) as first:
+        session = first.open().session
+        first.until(Ack)
+        with page(url) as second:
+            second.send(Hello(session=session, revision=1))
+            second.until(Welcome)
+        closed(first)
+    with page(url) as third:
+        third.send(Hello(session=session, revision=1))
+        assert third.until(Welcome).resumed
+
+
+def test_an_edit_that_cannot_be_stored_is_not_acknowledged(
+    world: World, page_files: Path, tmp_path: Path, caplog: pytest.LogCaptureFixture
+) -> None:
+    settings = Settings(port=0, store=tmp_path / "sessions.sqlite3", page=page_files)
+    with serving(settings, world) as url, page(url) as here:
+        here.open()
+        assert here.until(Ack).seq == 1
+        with sqlite3.connect(settings.store) as database:
+            database.execute("DROP TABLE sessions")
+        database.close()
+        here.send(RemoveBox(seq=2, id="table"), Ping(nonce=1))
+        problem = here.until(Problem)
+        assert (problem.code, problem.seq) == ("internal", 2)
+        assert here.until(Pong).nonce == 1
+    assert "no such table" in caplog.text
 
 
 def test_another_version_of_the_page_is_told_to_reload(url: str) -> None:
