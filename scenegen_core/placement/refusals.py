@@ -46,17 +46,14 @@ def no_good_place(
 ) -> NoGoodPlace:
     """Why nothing is possible; ``counts`` says how many poses each rule is the first to forbid.
 
-    Most poses of a grid stick through a wall, whatever the room: those that the empty room would
-    take tell more, if there are any.
+    Poses that only the way forbids are those where it would fit.
     """
     name = noun(category)
     article = "an" if name[0] in "aeiou" else "a"
     thing = f"{article} {name} of {size[0]:.2g} × {size[1]:.2g} × {size[2]:.2g} m"
     if not any(counts.values()):
         return NoGoodPlace("mount", f"There is nothing here that {thing} could stand or hang on.")
-    telling = {rule: count for rule, count in counts.items() if rule not in ("room", "mount")}
-    among = telling if any(telling.values()) else counts
-    rule = max(among, key=lambda key: among[key])
+    rule = "path" if counts["path"] else _telling_rule(counts)
     why = {
         "room": "no stretch of floor or wall is large enough for it",
         "mount": "there is nothing that it could stand or hang on",
@@ -67,3 +64,13 @@ def no_good_place(
     }[rule]
     remedy = "Try a smaller one." if rule == "room" else "Try a smaller one, or move something."
     return NoGoodPlace(rule, f"No good place for {thing}: {why}. {remedy}")
+
+
+def _telling_rule(counts: Mapping[str, int]) -> str:
+    """The rule that forbids most poses, of those that the empty room would take, if any.
+
+    Most poses of a grid stick through a wall, whatever the room.
+    """
+    furnished = {rule: count for rule, count in counts.items() if rule not in ("room", "mount")}
+    among = furnished if any(furnished.values()) else counts
+    return max(among, key=lambda rule: among[rule])

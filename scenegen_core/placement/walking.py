@@ -1,7 +1,7 @@
 """Can people still walk? A grid of the places where a walker 0.6 m wide can be.
 
-With an object at a pose, every door, seat, bed and storage front that was reached before must still
-be reached, and so must the object itself.
+With an object at a pose, every door, seat, bed and storage front must still be reached from each
+door that it was reached from before, and the object itself from one of them.
 """
 
 from __future__ import annotations
@@ -78,7 +78,8 @@ class Walking:
             for box in self.around.scene.boxes
             if box.category in REACHED_CATEGORIES and _is_obstacle(box)
         ]
-        return tuple(target for target in (*doors, *furniture) if self._before[target.cells].any())
+        found = (*doors, *furniture)
+        return tuple(target for target in found if self._before[:, target.cells].any())
 
     def blocked_by(self, box: Box) -> str | None:
         """What could no longer be reached with the box there; None if all still can."""
@@ -87,9 +88,10 @@ class Walking:
         shape = _footprint(box)
         after = self._reached(self._free & ~self._near(shape, WALKER / 2 - CELL / 2))
         for target in self.targets:
-            if not after[target.cells].any():
+            lost = self._before[:, target.cells].any(axis=1) & ~after[:, target.cells].any(axis=1)
+            if lost.any():
                 return target.name
-        if not after[self._cells_at(box)].any():
+        if not after[:, self._cells_at(box)].any():
             return f"the {spoken(box)} itself"
         return None
 
@@ -98,17 +100,25 @@ class Walking:
         return len(self.around.scene.room.doors)
 
     def _reached(self, free: Bools) -> Bools:
-        """Cells that can be walked to from a door; without doors, the largest connected floor."""
+        """Cells that can be walked to from each door: (doors, cells).
+
+        Where no door can be used as the room is, the largest connected floor: (1, cells).
+        """
         raster = np.zeros(self._shape, dtype=bool)
         raster[self._row, self._column] = free
         areas, _ = ndimage.label(raster)
         area = areas[self._row, self._column]
-        at_doors = [self._door_cells(index) for index in range(self._doors)]
-        starts = np.concatenate([np.empty(0, dtype=np.int64), *at_doors])
-        homes = np.unique(area[starts][free[starts]])
-        if not len(homes) and free.any():
-            homes = np.array([np.bincount(area[free]).argmax()])
-        return free & np.isin(area, homes)
+        homes = [area[cells][free[cells]] for cells in self._starts]
+        if not homes:
+            largest = [np.bincount(area[free]).argmax()] if free.any() else []
+            homes = [np.array(largest, dtype=area.dtype)]
+        return np.stack([free & np.isin(area, home) for home in homes])
+
+    @cached_property
+    def _starts(self) -> list[Ints]:
+        """The cells of each door; none if no door has a free one."""
+        starts = [self._door_cells(index) for index in range(self._doors)]
+        return starts if any(self._free[cells].any() for cells in starts) else []
 
     def _door_cells(self, index: int) -> Ints:
         door = self.around.scene.room.doors[index]
