@@ -7,7 +7,9 @@ import io
 import signal
 import socket
 import sys
+from collections.abc import Callable
 from dataclasses import fields
+from functools import partial
 from pathlib import Path
 from types import FrameType
 
@@ -22,6 +24,7 @@ from server.world import World, load_world
 
 ANY = ("0.0.0.0", "::")  # noqa: S104 (only compared with)
 STOP = "Stop with Ctrl+C."
+LAST_PORT = 65535
 SWITCH_INTERVAL = 0.0005  # seconds; work in other threads then hardly delays acknowledgements
 LARGEST_FRAME = 4 * MAX_TEXT_BYTES  # bytes; up to here a sentence answers, beyond the socket closes
 
@@ -30,7 +33,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     """The options of the command."""
     defaults = Settings()
     parser.add_argument("--host", default=defaults.host, help="address to listen on")
-    parser.add_argument("--port", type=int, default=defaults.port, help="0 for any free port")
+    parser.add_argument("--port", type=port, default=defaults.port, help="0 for any free port")
     parser.add_argument("--knowledge", type=Path, metavar="FILE", help="what was learned")
     parser.add_argument("--catalogue", type=Path, metavar="DIR", help="your own models (GLB)")
     parser.add_argument(
@@ -47,8 +50,8 @@ def run(arguments: argparse.Namespace) -> int:
     settings = Settings(**{f.name: getattr(arguments, f.name) for f in fields(Settings)})
     world = load_world(settings)
     with listen(settings) as listener:
-        server = make_server(settings, world)
-        print(greeting(settings, world, port=listener.getsockname()[1]), flush=True)
+        text = greeting(settings, world, port=listener.getsockname()[1])
+        server = make_server(settings, world, ready=partial(print, text, flush=True))
         signal.signal(signal.SIGTERM, _stop)
         try:
             server.run(sockets=[listener])
@@ -69,8 +72,21 @@ def listen(settings: Settings) -> socket.socket:
         ) from None
 
 
-def make_server(settings: Settings, world: World) -> uvicorn.Server:
-    """The server, ready to run on a socket that listens."""
+class Server(uvicorn.Server):
+    """A server that says when it is ready."""
+
+    def __init__(self, config: uvicorn.Config, ready: Callable[[], None]) -> None:
+        super().__init__(config)
+        self._ready = ready
+
+    async def startup(self, sockets: list[socket.socket] | None = None) -> None:
+        """Begin to answer."""
+        await super().startup(sockets)
+        self._ready()
+
+
+def make_server(settings: Settings, world: World, *, ready: Callable[[], None]) -> Server:
+    """The server, to be run on a socket that listens."""
     config = uvicorn.Config(
         make_app(settings, world),
         ws="websockets-sansio",
@@ -81,7 +97,7 @@ def make_server(settings: Settings, world: World) -> uvicorn.Server:
         server_header=False,
         timeout_graceful_shutdown=3,
     )
-    return uvicorn.Server(config)
+    return Server(config, ready)
 
 
 def greeting(settings: Settings, world: World, *, port: int) -> str:
@@ -110,6 +126,14 @@ def _qr_code(url: str) -> str:
     text = io.StringIO()
     segno.make(url, micro=False).terminal(text, border=2, compact=True)
     return text.getvalue()
+
+
+def port(text: str) -> int:
+    """The number of a port; ValueError if it is none."""
+    number = int(text)
+    if not 0 <= number <= LAST_PORT:
+        raise ValueError(text)
+    return number
 
 
 def _stop(_signal: int, _frame: FrameType | None) -> None:

@@ -5,8 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from contextlib import contextmanager
 from struct import unpack_from
-from threading import Thread
-from time import sleep
+from threading import Event, Thread
 from typing import TypeVar
 
 import msgspec
@@ -95,11 +94,11 @@ def _read_on(socket: Page) -> None:
 def serving(settings: Settings, world: World) -> Iterator[str]:
     """A running server: its address, ``ws://...``; afterwards it is stopped."""
     with listen(settings) as listener:
-        server = make_server(settings, world)
+        ready = Event()
+        server = make_server(settings, world, ready=ready.set)
         thread = Thread(target=server.run, kwargs={"sockets": [listener]})
         thread.start()
-        while not server.started:
-            sleep(0.01)
+        ready.wait()
         try:
             yield f"ws://127.0.0.1:{listener.getsockname()[1]}"
         finally:

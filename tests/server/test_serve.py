@@ -80,6 +80,13 @@ def test_what_cannot_be_used_is_named(
     assert value in capsys.readouterr().err
 
 
+@pytest.mark.parametrize("port", ["70000", "-1", "http"])
+def test_what_is_no_port_is_refused(port: str, capsys: pytest.CaptureFixture[str]) -> None:
+    with pytest.raises(SystemExit):
+        main(["serve", "--port", port])
+    assert f"--port: invalid port value: '{port}'" in capsys.readouterr().err
+
+
 def test_each_command_is_listed_with_what_it_does(capsys: pytest.CaptureFixture[str]) -> None:
     with pytest.raises(SystemExit):
         main(["--help"])
