@@ -74,7 +74,7 @@ export class AlternativesView implements Part {
         center: [center[0], center[1], bottom + low / 2 + 0.01],
         size: [size[0], size[1], low],
       },
-      { color: ACCENT, width: 1.5, dashed: false, fill: 0.22 },
+      { color: ACCENT, width: 1.6, dashed: false, fill: 0.1 },
     );
     number.position.set(center[0], center[1], bottom + 0.25);
     number.write(String(rank), {

@@ -35,7 +35,7 @@ type BoxSpot = Spot & { readonly kind: "side" | "height" | "turn" };
 
 /** How far from the front of a box the handle that turns it is, metres. */
 export const TURN_GAP = 0.32;
-const HEIGHT_GAP = 0.16; // metres over the top
+const HEIGHT_GAP = 0.28; // metres over the top; clear of the body, which is dragged itself
 const MIN_SIDE = 0.05; // metres
 const QUARTER = Math.PI / 2;
 const TURN_SNAP = Math.PI / 12; // 15°

@@ -9,7 +9,7 @@ import type { Note } from "./notes";
 
 const ABOVE = 0.03; // metres over the floor
 const CLEAR = 0.24; // metres from the sides of a box
-const OVER = 0.36; // metres over the top of a box, above its handle
+const OVER = 0.5; // metres over the top of a box, above its handle
 
 /** What has its lengths shown: what is being drawn, else what is selected. */
 export function notesOf(state: State): readonly Note[] {

@@ -40,7 +40,7 @@ interface Press {
 }
 
 const TOUCH = 24; // CSS pixels round a handle: 48 across, more than the 44 that fingers need
-const MOUSE = 15;
+const MOUSE = 13;
 const SLOP = 5; // CSS pixels that a tap may slip
 const REACH = 40; // metres from the room within which one can draw
 const STEEP = 0.96; // looking down like this, heights cannot be seen
@@ -190,6 +190,7 @@ export class Pointer {
       this.#finishHeight(state);
     } else if (last && "done" in last) {
       this.#dispatch({ ...last, done: true });
+      this.#selectCorner(gesture);
     } else if (!moved && event.type === "pointerup") {
       this.#tap(state, gesture, this.#ray(event));
     }
@@ -203,12 +204,7 @@ export class Pointer {
 
   #tap(state: State, gesture: Gesture, ray: Ray): void {
     if (gesture.kind === "spot") {
-      if (gesture.spot.kind === "corner") {
-        this.#dispatch({
-          type: "select",
-          selection: { kind: "corner", index: gesture.spot.index },
-        });
-      }
+      this.#tapSpot(state, gesture.spot);
       return;
     }
     const target = targetAt(state, ray);
@@ -224,6 +220,27 @@ export class Pointer {
       return;
     }
     this.#dispatch({ type: "select", selection: selectionOf(target) });
+  }
+
+  /** A corner that was dragged can then be nudged or removed. */
+  #selectCorner(gesture: Gesture): void {
+    if (gesture.kind === "spot" && gesture.spot.kind === "corner") {
+      this.#dispatch({ type: "select", selection: { kind: "corner", index: gesture.spot.index } });
+    }
+  }
+
+  /** A corner of the old outline that is tapped, not dragged, is where a new outline begins. */
+  #tapSpot(state: State, spot: Spot): void {
+    if (spot.kind !== "corner") {
+      return;
+    }
+    const at: Point = [spot.at[0], spot.at[1]];
+    if (state.tool === "room") {
+      this.#dispatch({ type: "draw-down", at, free: true });
+      this.#dispatch({ type: "draw-up", at, free: true });
+    } else {
+      this.#dispatch({ type: "select", selection: { kind: "corner", index: spot.index } });
+    }
   }
 
   #hover(state: State, event: PointerEvent): void {

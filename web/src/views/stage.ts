@@ -1,6 +1,6 @@
 import { Color, NeutralToneMapping, PCFShadowMap, Scene, WebGLRenderer } from "three";
 import type { Assets, StageView } from "../contract";
-import type { Action, Point, State } from "../model/state";
+import type { Action, Point, State, Vector3 } from "../model/state";
 import { Cameras } from "./cameras";
 import type { Insets } from "./framing";
 import { addReflections } from "./lights";
@@ -34,6 +34,7 @@ export class Stage implements StageView {
   readonly #scene = new Scene();
   readonly #cameras: Cameras;
   readonly #scenery: Scenery;
+  readonly #sight: Sight;
   readonly #pointer: Pointer;
   readonly #dark = matchMedia("(prefers-color-scheme: dark)");
   readonly #listening = new AbortController();
@@ -53,7 +54,7 @@ export class Stage implements StageView {
     canvas.setAttribute("role", "img");
     canvas.setAttribute("aria-label", "The room in three dimensions");
     canvas.style.cssText =
-      "display:block;width:100%;height:100%;touch-action:none;outline-offset:-3px";
+      "display:block;width:100%;height:100%;touch-action:none;outline-offset:-3px;outline-color:#2f6fed";
     host.append(canvas);
     const look = this.#look();
     this.#scenery = new Scenery(assets, look, () => {
@@ -63,6 +64,7 @@ export class Stage implements StageView {
     this.#scene.add(this.#scenery.root);
     this.#removeReflections = addReflections(this.#renderer, this.#scene);
     this.#cameras = new Cameras(canvas, () => this.invalidate());
+    this.#sight = new Sight(canvas);
     this.#pointer = this.#createPointer(canvas, dispatch);
     this.#relight(look);
     this.#listen(canvas);
@@ -81,6 +83,11 @@ export class Stage implements StageView {
 
   viewPoint(): Point {
     return this.#cameras.viewPoint();
+  }
+
+  /** Where on the window a place of the core frame is, CSS pixels; null behind the eye. */
+  onScreen(at: Vector3): Point | null {
+    return this.#sight.place(this.#cameras.active, at);
   }
 
   /** Draws once more and keeps that frame: a canvas forgets its picture once it is shown. */
@@ -130,11 +137,10 @@ export class Stage implements StageView {
   }
 
   #createPointer(element: HTMLElement, dispatch: (action: Action) => void): Pointer {
-    const sight = new Sight(element);
     const pad: Pad = {
       element,
-      ray: (x, y) => sight.ray(this.#cameras.active, x, y),
-      place: (at) => sight.place(this.#cameras.active, at),
+      ray: (x, y) => this.#sight.ray(this.#cameras.active, x, y),
+      place: (at) => this.onScreen(at),
       hold: (held) => this.#cameras.hold(held),
       hover: (id) => {
         if (this.#scenery.hover(id)) {
