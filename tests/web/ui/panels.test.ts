@@ -6,7 +6,7 @@ import { hint } from "../../../web/src/ui/hints";
 import { placePanel } from "../../../web/src/ui/place";
 import { reasonsPanel } from "../../../web/src/ui/reasons";
 import { selectionPanel } from "../../../web/src/ui/selection";
-import { situationOf } from "../../../web/src/ui/situation";
+import { situation } from "../../../web/src/ui/situation";
 import { answer, begin, box, placement, play } from "../rooms";
 import { sitDown, wordsOf } from "./desk";
 
@@ -142,7 +142,7 @@ describe("the selection", () => {
 
 describe("one sentence says what to do next", () => {
   test.each([
-    ["room", "Click where the first corner is."],
+    ["room", "Mark the first corner of the room."],
     ["box", "Drag on the floor to draw what stands there."],
     ["door", "Drag along a wall where the door is."],
     ["window", "Drag along a wall where the window is."],
@@ -156,21 +156,23 @@ describe("one sentence says what to do next", () => {
 });
 
 describe("the states of the page", () => {
-  const bare = { ...begin().scene, room: { ...begin().scene.room, corners: [] } };
+  const over = (state: State): string => wordsOf(situation(sitDown(state).page));
 
-  test.each([
-    ["loading", { ...begin(), scene: bare }],
-    ["no-room", online({ ...begin(), scene: bare })],
-    ["empty", online(begin())],
-    ["offline", play(begin(), { type: "connection", connection: { status: "offline" } })],
-    [null, online(begin([box("a")]))],
-  ] as const)("%s", (expected, state) => {
-    expect(situationOf(state)).toBe(expected);
+  test("an empty room says what to do with it", () => {
+    expect(over(online(begin()))).toContain("An empty room. Draw what stands in it");
   });
 
   test("an empty room makes way for the tool in hand", () => {
-    const drawing = play(online(begin()), { type: "choose-tool", tool: "box" });
-    expect(situationOf(drawing)).toBeNull();
+    expect(over(play(online(begin()), { type: "choose-tool", tool: "box" }))).toBe("");
+  });
+
+  test("offline says that one can go on", () => {
+    const gone = play(begin(), { type: "connection", connection: { status: "offline" } });
+    expect(over(gone)).toBe("Offline. You can go on; I'll catch up.");
+  });
+
+  test("a furnished room online needs no words", () => {
+    expect(over(online(begin([box("a")])))).toBe("");
   });
 });
 

@@ -4,7 +4,6 @@ import type { Draft, Point } from "../model/state";
 import { formatSize } from "../model/units";
 import { button, lengthField, section } from "./controls";
 import { nextCorner } from "./exact";
-import { hasRoom } from "./hints";
 import { putHere } from "./keyboard";
 import { parseLength } from "./lengths";
 import type { Page } from "./page";
@@ -56,7 +55,7 @@ function single(page: Page): TemplateResult {
     run: () => putHere(page, local.crosshair ?? services.viewPoint()),
   });
   return html`<div class="row">${put} ${leave(page, "Done")}</div>
-    ${state.tool === "room" && hasRoom(state) ? standing(page) : nothing}`;
+    ${state.tool === "room" ? standing(page) : nothing}`;
 }
 
 function height({ dispatch }: Page, draft: Draft & { kind: "box-height" }): TemplateResult {

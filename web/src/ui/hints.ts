@@ -1,6 +1,8 @@
 /** One plain sentence saying what to do next. */
 import type { Draft, State } from "../model/state";
 
+const FIRST_CORNER = "Mark the first corner of the room.";
+
 /** The sentence for the state; null when nothing needs saying. */
 export function hint(state: State): string | null {
   if (state.placing !== null) {
@@ -10,11 +12,9 @@ export function hint(state: State): string | null {
   if (state.draft !== null) return draftHint(state.draft);
   switch (state.tool) {
     case "room":
-      return "Click where the first corner is.";
+      return FIRST_CORNER;
     case "box":
-      return hasRoom(state)
-        ? "Drag on the floor to draw what stands there."
-        : "Draw the room first, then what stands in it.";
+      return "Drag on the floor to draw what stands there.";
     case "door":
       return "Drag along a wall where the door is.";
     case "window":
@@ -24,21 +24,16 @@ export function hint(state: State): string | null {
   }
 }
 
-/** Whether there is an outline to put things in. */
-export function hasRoom(state: State): boolean {
-  return state.scene.room.corners.length >= 3;
-}
-
 function draftHint(draft: Draft): string {
   switch (draft.kind) {
     case "room":
-      if (draft.corners.length === 0) return "Click where the first corner is.";
-      if (draft.corners.length < 3) return "Click the next corner, or type how long the wall is.";
-      return "Click the next corner, or the first one to close the room.";
+      if (draft.corners.length === 0) return FIRST_CORNER;
+      if (draft.corners.length < 3) return "Mark the next corner, or type how long the wall is.";
+      return "Mark the next corner, or the first one again to close the room.";
     case "box-floor":
       return "Let go when it covers the floor it stands on.";
     case "box-height":
-      return "Pull up to its height, then click. Or type the height.";
+      return "Pull up to its height, or type it.";
     case "opening":
       return `Let go where the ${draft.opening} ends.`;
   }

@@ -71,10 +71,7 @@ function numbers(map: HeatMap): TemplateResult {
   return html`<details class="more">
     <summary>Numbers</summary>
     <p class="ends"><span class="number">${signed(map.min)}</span><span class="number">${signed(map.max)}</span></p>
-    <p class="quiet">
-      How much more likely than an average spot of this room, as a logarithm: +0.69 is twice as
-      likely.
-    </p>
+    <p class="quiet">How likely, as a logarithm: 0.69 more is twice as likely.</p>
   </details>`;
 }
 

@@ -60,7 +60,7 @@ function list(
   rooms: readonly RoomInfo[],
 ): TemplateResult | typeof nothing {
   if (rooms.length === 0) return nothing;
-  return html`<h3>${title}</h3>
+  return html`<h2>${title}</h2>
     <ul class="room-list">
       ${rooms.map((room) => html`<li>${entry(page, room)}</li>`)}
     </ul>`;

@@ -46,6 +46,7 @@ export function mountUi(element: HTMLElement, dispatch: Dispatch, services: Serv
     if (press(pageOf(state), event)) event.preventDefault();
   };
   window.addEventListener("keydown", onKey);
+  element.replaceChildren(); // the page comes with a picture of its loading
   return {
     show(next) {
       const before = state;
@@ -73,10 +74,10 @@ export function panels(page: Page): TemplateResult {
   const drawing = state.tool !== "select";
   return html`
     ${header(page)} ${tools(page)}
-    <div class="over">
+    <section class="over" aria-label="The room, in words and switches">
       ${objectList(page)} ${toast(page)} ${cameras(page)} ${layers(page)}
       <div class="lower">${situation(page)} ${nextStep(page)} ${welcome(page)}</div>
-    </div>
+    </section>
     <aside class="panel" aria-label="Panel" data-sheet=${local.sheet}>
       ${sheetHandle(page)}
       <div class="parts" data-placed=${local.placed !== null}>
