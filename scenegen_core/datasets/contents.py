@@ -21,9 +21,10 @@ LONGEST_LINE = 16_000_000  # bytes; a room of a thousand objects has a tenth of 
 MOST_MEMBERS = 10_000  # of a zip archive
 START = 65_536  # bytes that show what a file is
 GZIP = b"\x1f\x8b"
+ZIP = b"PK\x03\x04"
 BOM = b"\xef\xbb\xbf"  # some programs begin their text with it
 
-_Fields = dict[str, msgspec.Raw]
+Fields = dict[str, msgspec.Raw]
 
 
 class Head:
@@ -39,28 +40,40 @@ class Head:
             return file.read(START).removeprefix(BOM)
 
     @cached_property
-    def fields(self) -> _Fields:
+    def fields(self) -> Fields:
         """The fields of the JSON object that the file or its first line is, undecoded.
 
         Of a list of objects, those of the first; empty when it is not JSON.
         """
-        first, *others = self.start.strip().splitlines() or [b""]
-        if not first.startswith((b"{", b"[")):
+        if not self.start.lstrip().startswith((b"{", b"[")):
             return {}
-        whole = _fields(first) or _fields(content(self.path))
-        return whole or next(filter(None, map(_fields, others)), {})
+        with _opened(self.path) as file:
+            first = file.readline(LONGEST_LINE).removeprefix(BOM)
+        found = fields_of(first) or fields_of(content(self.path))
+        return found or next(filter(None, map(fields_of, self.start.splitlines())), {})
 
     @cached_property
     def members(self) -> tuple[str, ...]:
         """The names in a zip archive; none when it is no archive."""
-        if not self.start.startswith(b"PK"):
+        if not self.start.startswith(ZIP):
             return ()
         with _archive(self.path) as archive:
-            return tuple(archive.namelist())
+            return tuple(name for name in archive.namelist() if not _is_junk(name))
 
     def says(self, field: str, value: object) -> bool:
         """Whether a field of the JSON object has that value."""
         return field in self.fields and msgspec.json.decode(self.fields[field]) == value
+
+
+def fields_of(text: bytes) -> Fields:
+    """The fields of a JSON object, undecoded; of a list, those of its first; empty if neither."""
+    try:
+        found = msgspec.json.decode(text, type=Fields | list[msgspec.Raw])
+        if isinstance(found, list):
+            return msgspec.json.decode(found[0], type=Fields) if found else {}
+    except (msgspec.DecodeError, UnicodeDecodeError):
+        return {}
+    return found
 
 
 def content(path: Path, limit: int = LARGEST) -> bytes:
@@ -92,6 +105,28 @@ def member(path: Path, name: str, limit: int = LARGEST) -> bytes:
     if len(found) > limit:
         raise DataError(_too_large(f"{name} in {path}", limit))
     return found.removeprefix(BOM)
+
+
+def members(path: Path, suffix: str) -> Iterator[tuple[str, bytes]]:
+    """The files of a zip archive whose names end so, with their bytes.
+
+    DataError says what is wrong, also when they are too large together.
+    """
+    left = LARGEST
+    with _archive(path) as archive:
+        for name in archive.namelist():
+            if name.lower().endswith(suffix) and not _is_junk(name):
+                with archive.open(name) as file:
+                    found = file.read(left + 1)
+                left -= len(found)
+                if left < 0:
+                    raise DataError(_too_large(str(path), LARGEST))
+                yield name, found.removeprefix(BOM)
+
+
+def _is_junk(name: str) -> bool:
+    """Whether it is a note that macOS puts beside each file of an archive."""
+    return name.startswith("__MACOSX/")
 
 
 @contextmanager
@@ -134,13 +169,3 @@ def _named(path: Path) -> Iterator[None]:
 
 def _too_large(what: str, limit: int) -> str:
     return f"{what} is larger than {limit / 1e6:.0f} MB; split it, or check where it comes from."
-
-
-def _fields(text: bytes) -> _Fields:
-    try:
-        found = msgspec.json.decode(text, type=_Fields | list[msgspec.Raw])
-        if isinstance(found, list):
-            return msgspec.json.decode(found[0], type=_Fields) if found else {}
-    except (msgspec.DecodeError, UnicodeDecodeError):
-        return {}
-    return found

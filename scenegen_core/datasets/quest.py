@@ -19,7 +19,7 @@ from shapely import Point as ShapelyPoint
 from shapely import Polygon
 
 from scenegen_core.datasets.contents import Head, content
-from scenegen_core.datasets.labels import category_of
+from scenegen_core.datasets.labels import category_of, faces_somewhere
 from scenegen_core.datasets.outlines import NEAR_OUTLINE, on_outline, outline_of
 from scenegen_core.datasets.quest_capture import (
     Capture,
@@ -35,12 +35,10 @@ from scenegen_core.datasets.remarks import Remark, Report, Skipped, usable_boxes
 from scenegen_core.errors import DataError
 from scenegen_core.scene.files import write_scene
 from scenegen_core.scene.model import (
-    PAPER_CATEGORIES,
     Box,
     Opening,
     Room,
     Scene,
-    Symmetry,
     Vector3,
 )
 
@@ -54,7 +52,6 @@ ROOMS = {
     "office_small": ("Small office (scan)", "office"),
 }
 OUTSIDE = "lies outside of the room; it was seen through an opening"
-_FACES_SOMEWHERE = {c.name for c in PAPER_CATEGORIES if c.symmetry is not Symmetry.SYMMETRIC}
 
 
 def recognizes(head: Head) -> bool:
@@ -152,7 +149,7 @@ def _furniture(entity: Entity, box_id: str, category: str, floor: float) -> Box:
         size=_rounded((extent.height, extent.width, top - bottom)),
         heading=round(heading_of(entity, (0, -1, 0)), 4),
         label=_in_words(entity.label),
-        front_known=category in _FACES_SOMEWHERE,
+        front_known=faces_somewhere(category),
     )
 
 

@@ -1,4 +1,7 @@
-"""What readers say while they read: each thing left out, each label that nobody has reviewed."""
+"""What readers say while they read: each thing left out, each label that nobody has reviewed.
+
+And the checks that every reader makes before it hands on a room or a box.
+"""
 
 from __future__ import annotations
 
@@ -10,8 +13,15 @@ from pathlib import Path
 import msgspec
 
 from scenegen_core.errors import SceneError
-from scenegen_core.scene.files import BoxRecord, box_of, box_record
-from scenegen_core.scene.model import Box
+from scenegen_core.scene.files import (
+    BoxRecord,
+    RoomRecord,
+    box_of,
+    box_record,
+    record_of,
+    room_of,
+)
+from scenegen_core.scene.model import Box, Room, Scene
 
 logger = logging.getLogger(__name__)
 
@@ -67,6 +77,16 @@ def usable_boxes(boxes: Iterable[Box], path: Path, report: Report) -> tuple[Box,
         except SceneError as error:
             report(Skipped(path, what, str(error)))
     return tuple(box if box.parent in kept else replace(box, parent=None) for box in kept.values())
+
+
+def usable_room(room: Room) -> Room:
+    """The room, its corners anticlockwise; SceneError if it is beyond the limits of scenes."""
+    try:
+        return room_of(
+            msgspec.convert(msgspec.to_builtins(record_of(Scene(room)).room), RoomRecord)
+        )
+    except msgspec.ValidationError as error:
+        raise SceneError(str(error)) from None
 
 
 def _checked(box: Box) -> Box:

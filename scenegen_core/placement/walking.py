@@ -22,8 +22,8 @@ from scenegen_core.scene.geometry import (
     Ints,
     Rectangles,
     directions,
+    distances_to_rectangles,
     distances_to_segments,
-    gaps,
 )
 from scenegen_core.scene.model import Box
 
@@ -138,8 +138,8 @@ class Walking:
         """Cells nearer than ``reach`` to one of the shapes: (cells,)."""
         if not len(shapes):
             return np.zeros(len(self._points), dtype=np.bool_)
-        dots = Rectangles(self._points, np.zeros_like(self._points), np.zeros(len(self._points)))
-        return np.asarray((gaps(dots, shapes) < reach).any(axis=1), dtype=np.bool_)
+        distances = distances_to_rectangles(self._points, shapes)
+        return np.asarray((distances < reach).any(axis=1), dtype=np.bool_)
 
     def _cells_at(self, box: Box) -> Ints:
         """Cells from which a box is reached: beside it, or before its front if it has doors."""

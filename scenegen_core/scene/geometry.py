@@ -141,6 +141,13 @@ def distances_to_segments(points: Floats, segments: Floats) -> Floats:
     return distances
 
 
+def distances_to_rectangles(points: Floats, others: Rectangles) -> Floats:
+    """Shortest distance of every point to every rectangle, metres, 0 inside: (points, others)."""
+    offset = points[:, None, :] - others.centers[None, :, :]
+    x, y = _in_frame(offset, others.headings[None, :])
+    return np.sqrt(_outside(x, y, others.halves[:, 0], others.halves[:, 1]))
+
+
 def ray_lengths(points: Floats, toward: Floats, segments: Floats) -> Floats:
     """How far each ray runs until it meets each segment, metres, inf if never: (rays, segments)."""
     start, run = segments[:, 0], segments[:, 1] - segments[:, 0]

@@ -16,6 +16,7 @@ from scenegen_core.scene import geometry
 from scenegen_core.scene.geometry import (
     Rectangles,
     directions,
+    distances_to_rectangles,
     distances_to_segments,
     gaps,
     left_of,
@@ -118,6 +119,14 @@ def test_the_distance_to_a_segment_is_shapely_s(
 
 
 @given(point=places, turn=angles, start=places, end=places)
+@given(rectangles, places)
+def test_the_distance_to_a_rectangle_is_shapely_s(
+    shape: Rectangles, place: tuple[float, float]
+) -> None:
+    distance = distances_to_rectangles(np.array([place]), shape)[0, 0]
+    assert distance == pytest.approx(polygon(shape).distance(Point(place)), abs=1e-9)
+
+
 def test_a_ray_runs_until_it_meets_the_segment(
     point: tuple[float, float],
     turn: float,

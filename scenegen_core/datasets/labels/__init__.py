@@ -9,7 +9,9 @@ from pathlib import Path
 from types import MappingProxyType
 
 from scenegen_core.datasets.remarks import Report, UnknownLabel
-from scenegen_core.scene.model import OTHER
+from scenegen_core.scene.model import OTHER, PAPER_CATEGORIES, Symmetry
+
+_FACES_SOMEWHERE = {c.name for c in PAPER_CATEGORIES if c.symmetry is not Symmetry.SYMMETRIC}
 
 
 @cache
@@ -26,3 +28,8 @@ def category_of(source: str, label: str, path: Path, report: Report) -> str | No
     if label not in categories:
         report(UnknownLabel(path, source, label))
     return categories.get(label, OTHER)
+
+
+def faces_somewhere(category: str) -> bool:
+    """Whether things of the category have a front."""
+    return category in _FACES_SOMEWHERE
