@@ -118,7 +118,6 @@ def test_the_distance_to_a_segment_is_shapely_s(
     assert found == pytest.approx(expected, abs=1e-6)
 
 
-@given(point=places, turn=angles, start=places, end=places)
 @given(rectangles, places)
 def test_the_distance_to_a_rectangle_is_shapely_s(
     shape: Rectangles, place: tuple[float, float]
@@ -127,6 +126,7 @@ def test_the_distance_to_a_rectangle_is_shapely_s(
     assert distance == pytest.approx(polygon(shape).distance(Point(place)), abs=1e-9)
 
 
+@given(point=places, turn=angles, start=places, end=places)
 def test_a_ray_runs_until_it_meets_the_segment(
     point: tuple[float, float],
     turn: float,
