@@ -43,6 +43,7 @@ class Engine:
         self._free = workers
         self._waiting: dict[str, dict[str, Job]] = {}  # by session in turn, then by kind
         self._running: dict[tuple[str, str], Job] = {}
+        self._busy: set[tuple[str, str]] = set()  # running, or told to stop and still at it
         self._tasks: set[asyncio.Task[None]] = set()
 
     def submit(
@@ -89,24 +90,29 @@ class Engine:
         while self._free and (job := self._next()) is not None:
             self._free -= 1
             self._running[job.session, job.kind] = job
+            self._busy.add((job.session, job.kind))
             task = asyncio.create_task(self._finish(job))
             self._tasks.add(task)
             task.add_done_callback(self._tasks.discard)
 
     def _next(self) -> Job | None:
-        """The oldest job of the session whose turn it is; then it is the others' turn."""
-        while self._waiting:
-            session = next(iter(self._waiting))
-            jobs = self._waiting.pop(session)
-            if jobs:
-                job = jobs.pop(next(iter(jobs)))
-                self._waiting[session] = jobs
-                return job
+        """The oldest job of the session whose turn it is; then it is the others' turn.
+
+        Work that was told to stop and has not yet keeps newer work of its kind waiting: one
+        session in a hurry cannot take all threads.
+        """
+        for session, jobs in self._waiting.items():
+            for kind in jobs:
+                if (session, kind) not in self._busy:
+                    del self._waiting[session]
+                    self._waiting[session] = jobs
+                    return jobs.pop(kind)
         return None
 
     async def _finish(self, job: Job) -> None:
         then = await asyncio.get_running_loop().run_in_executor(self._pool, job.run)
         self._free += 1
+        self._busy.remove((job.session, job.kind))
         if self._running.get((job.session, job.kind)) is job:
             del self._running[job.session, job.kind]
             then()

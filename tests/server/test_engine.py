@@ -34,9 +34,9 @@ class Desk:
         return self.results
 
 
-def at_a_desk(story: Callable[[Desk], Awaitable[None]]) -> None:
+def at_a_desk(story: Callable[[Desk], Awaitable[None]], *, workers: int = 1) -> None:
     async def run() -> None:
-        engine = Engine(workers=1)
+        engine = Engine(workers)
         await story(Desk(engine))
         await engine.close()
 
@@ -137,6 +137,22 @@ def test_sessions_take_turns() -> None:
         assert await desk.until(4) == ["busy", "a second", "b first", "a third"]
 
     at_a_desk(story)
+
+
+def test_a_session_in_a_hurry_leaves_a_thread_to_the_others() -> None:
+    """Its old work does not hear that it is to stop, its newer work waits for that."""
+
+    async def story(desk: Desk) -> None:
+        deaf = Gate("older")
+        desk.submit("a", "solve", lambda _: deaf.work(lambda: False))
+        await deaf.has_begun()
+        desk.submit("a", "solve", returning("newer"))
+        desk.submit("b", "solve", returning("other session"))
+        assert await desk.until(1) == ["other session"]
+        deaf.open.set()
+        assert await desk.until(2) == ["other session", "newer"]
+
+    at_a_desk(story, workers=2)
 
 
 def test_a_failure_is_told_and_the_next_work_is_done() -> None:
