@@ -13,7 +13,7 @@ from playwright.sync_api import Locator, Page, expect
 
 pytestmark = pytest.mark.browser
 
-FURNITURE = 8  # pieces in web/public/rooms/living-room.json
+THINGS = 10  # web/public/rooms/living-room.json: 8 pieces of furniture, a door, a window
 WHERE = re.compile(r"\b(wall|corner|floor)\b")
 
 
@@ -48,14 +48,14 @@ def changed_share(page: Page, act: Callable[[], None]) -> float:
 
 
 def test_the_page_opens_on_the_sample_room(page: Page) -> None:
-    expect(things(page)).to_have_count(FURNITURE)
+    expect(things(page)).to_have_count(THINGS)
     expect(page.get_by_text("Where would a sofa go in this room")).to_be_visible()
 
 
 def test_a_sofa_asked_for_brings_a_sentence_and_nothing_solid(page: Page) -> None:
     ask_for_a_sofa(page)
     expect(first_steps(page).locator("p").first).to_have_text(WHERE)
-    expect(things(page)).to_have_count(FURNITURE)
+    expect(things(page)).to_have_count(THINGS)
 
 
 def test_a_sofa_asked_for_brings_a_heat_map_and_a_ghost(desktop: Page) -> None:
@@ -63,7 +63,7 @@ def test_a_sofa_asked_for_brings_a_heat_map_and_a_ghost(desktop: Page) -> None:
     expect(desktop.get_by_text("unlikely", exact=True)).to_be_visible()
     assert changed_share(desktop, lambda: desktop.keyboard.press("h")) > 0.01  # the map goes
     assert changed_share(desktop, lambda: desktop.keyboard.press("Escape")) > 0.01  # the ghost too
-    expect(things(desktop)).to_have_count(FURNITURE)
+    expect(things(desktop)).to_have_count(THINGS)
 
 
 def test_another_place_on_offer_can_be_chosen_by_its_number(page: Page) -> None:
@@ -92,7 +92,7 @@ def test_manual_keeps_the_object_and_its_size(desktop: Page) -> None:
 def test_placing_makes_it_solid_and_undo_takes_it_back(page: Page) -> None:
     ask_for_a_sofa(page)
     page.keyboard.press("Enter")
-    expect(things(page)).to_have_count(FURNITURE + 1)
+    expect(things(page)).to_have_count(THINGS + 1)
     expect(things(page).filter(has_text=re.compile(r"\bSofa\b"))).to_have_count(1)
     page.keyboard.press("Control+z")
-    expect(things(page)).to_have_count(FURNITURE)
+    expect(things(page)).to_have_count(THINGS)
