@@ -34,6 +34,7 @@ from scenegen_core.scene.model import Category, Point, Symmetry, Vector3
 CELL = 0.1  # metres between positions
 HEADINGS = 16  # of an asymmetric object, a full turn
 WALL_GAP = 0.02  # metres that furniture keeps from the wall it is pushed against (skirting)
+TIE = 1e-9  # metres; distances that differ by rounding only are the same
 OVERHANG = 0.15  # metres that an object may stick out over what it stands on
 
 SURFACES: tuple[Surface, ...] = ("floor", "walls", "tops")
@@ -111,9 +112,16 @@ def unrolled(walls: Floats, points: Floats) -> Floats:
     run = walls[:, 1] - walls[:, 0]
     lengths = np.hypot(run[:, 0], run[:, 1])
     starts = np.concatenate([[0.0], np.cumsum(lengths)[:-1]])
-    wall = distances_to_segments(points[:, :2], walls).argmin(axis=1)
+    wall = nearest_walls(walls, points[:, :2])
     along = ((points[:, :2] - walls[wall, 0]) * run[wall]).sum(axis=1) / lengths[wall]
     return np.stack([starts[wall] + along.clip(0, lengths[wall]), points[:, 2]], axis=1)
+
+
+def nearest_walls(walls: Floats, points: Floats) -> Ints:
+    """The wall nearest to each point, the first of those that tie: (n, 2) -> (n,)."""
+    distances = distances_to_segments(points, walls)
+    tied = distances <= distances.min(axis=1, keepdims=True) + TIE
+    return np.asarray(tied.argmax(axis=1), dtype=np.int64)
 
 
 def inward(walls: Floats) -> Floats:
@@ -144,7 +152,7 @@ def _floor_poses(around: Surroundings, category: Category, size: Vector3) -> Ite
     """The grid inside the room with its headings, then flush along every wall."""
     points = floor_points(around)
     if category.symmetry is Symmetry.INSIDE_FACING:
-        nearest = distances_to_segments(points, around.walls).argmin(axis=1)
+        nearest = nearest_walls(around.walls, points)
         yield _raised(points, size[2] / 2), inward(around.walls)[nearest], False
     else:
         turns = _headings(around, category, size)
