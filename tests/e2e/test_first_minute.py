@@ -60,7 +60,8 @@ def test_a_sofa_asked_for_brings_a_sentence_and_nothing_solid(page: Page) -> Non
 
 def test_a_sofa_asked_for_brings_a_heat_map_and_a_ghost(desktop: Page) -> None:
     ask_for_a_sofa(desktop)
-    expect(desktop.get_by_text("unlikely", exact=True)).to_be_visible()
+    shown = desktop.get_by_role("region", name="What is shown")
+    expect(shown.get_by_text("unlikely", exact=True)).to_be_visible()
     assert changed_share(desktop, lambda: desktop.keyboard.press("h")) > 0.01  # the map goes
     assert changed_share(desktop, lambda: desktop.keyboard.press("Escape")) > 0.01  # the ghost too
     expect(things(desktop)).to_have_count(THINGS)
