@@ -17,8 +17,8 @@ const TITLES = {
   window: "Put in a window",
 };
 const PUT = {
-  room: "First corner here",
-  box: "A box here",
+  room: "Start in the middle",
+  box: "Put one in the middle",
   door: "Into the nearest wall",
   window: "Into the nearest wall",
 };
@@ -59,15 +59,11 @@ function single(page: Page): TemplateResult {
 }
 
 function height({ dispatch }: Page, draft: Draft & { kind: "box-height" }): TemplateResult {
-  return html`<p class="number">${formatSize(draft.box.size)}</p>
-    ${lengthField({
-      id: "draft-height",
-      label: "Height",
-      unit: "cm",
-      value: draft.box.size[2],
-      step: STEP,
-      change: (length) => dispatch({ type: "draw-height", height: length, done: true }),
-    })}`;
+  const finish = (height: number): void => dispatch({ type: "draw-height", height, done: true });
+  const { size } = draft.box;
+  return html`<p class="number">${formatSize(size)}</p>
+    ${lengthField({ id: "draft-height", label: "Height", unit: "cm", value: size[2], step: STEP, change: finish })}
+    ${button({ icon: "check", label: "Done", keys: "Enter", run: () => finish(size[2]) }, "primary")}`;
 }
 
 /** The next wall by its length and its direction. */

@@ -209,7 +209,7 @@ export function wallFields(
 ): TemplateResult {
   const { room } = state.scene;
   const walls = wallsOf(room).filter(({ index }) => indices.includes(index));
-  return html`<div class="fields" role="group" aria-label="Lengths of the walls">
+  return html`<div class="fields pairs" role="group" aria-label="Lengths of the walls">
     ${walls.map((wall) =>
       lengthField({
         id: `wall-${wall.index}`,
