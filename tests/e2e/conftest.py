@@ -67,9 +67,12 @@ def server_url(tmp_path_factory: pytest.TempPathFactory) -> Iterator[str]:
     assert "Traceback" not in said, said
 
 
-@pytest.fixture(scope="session")
+@pytest.fixture(scope="module")
 def browser() -> Iterator[Browser]:
-    """The browser that is installed here, else Playwright's own."""
+    """The browser that is installed here, else Playwright's own.
+
+    One a module: while it is open Playwright runs an event loop, beside which no other can run.
+    """
     installed = next(filter(None, map(shutil.which, BROWSERS)), None)
     with sync_playwright() as playwright:
         chromium = playwright.chromium.launch(executable_path=installed, args=list(FLAGS))
