@@ -80,7 +80,7 @@ export class AlternativesView implements Part {
     number.write(String(rank), {
       size: 15,
       bold: true,
-      color: ACCENT,
+      color: this.#look.labelText,
       background: this.#look.label,
       border: ACCENT,
     });

@@ -6,6 +6,7 @@ import { settled } from "../model/resting";
 import { snapBox } from "../model/snapping";
 import type { Action, Point, State } from "../model/state";
 import type { BoxRecord, SceneRecord } from "../net/protocol.gen";
+import { hangs } from "./hanging";
 import { meetLevel, meetWall, pointOn, type Ray } from "./picking";
 
 /** What was grabbed, and where: kept for as long as the drag lasts. */
@@ -86,10 +87,6 @@ function movedBox(
   }
   const hand = meetLevel(ray, grip.level);
   return hand && movedTo(box, roundedPoint(add(hand, grip.offset)));
-}
-
-function hangs(box: BoxRecord): boolean {
-  return box.category === "Picture";
 }
 
 /** On the wall that the ray meets, at the height where it meets it. */

@@ -1,10 +1,12 @@
-import { Group } from "three";
+import { Group, Vector3 } from "three";
 import type { State } from "../model/state";
 import type { BoxRecord } from "../net/protocol.gen";
 import { BoxLines } from "./box_lines";
 import { ContactShadows } from "./contact_shadows";
+import { SIDEWAYS } from "./framing";
+import { hangs, turnedTo } from "./hanging";
 import { ACCENT, categoryColor } from "./palette";
-import type { Part } from "./part";
+import type { Eye, Part } from "./part";
 import { SolidModel } from "./solid_model";
 import type { Solids } from "./solids";
 
@@ -25,6 +27,10 @@ export class FurnitureView implements Part {
   readonly #shadows = new ContactShadows(MAX_SHADOWS);
   readonly #selected = new BoxLines();
   readonly #hovered = new BoxLines();
+  readonly #eye = new Vector3();
+  readonly #place: [number, number, number] = [0, 0, 0];
+  #hung: readonly Piece[] = [];
+  #plan = false;
   #state: State | null = null;
   #boxes: readonly BoxRecord[] | null = null;
   #hover: string | null = null;
@@ -45,7 +51,19 @@ export class FurnitureView implements Part {
     for (const box of boxes) {
       this.#showBox(box, state.models[box.id]);
     }
+    this.#plan = state.shown.camera !== "orbit";
+    this.#hung = [...this.#pieces.values()].filter(({ box }) => hangs(box));
     this.#outline(state);
+  }
+
+  /** What hangs on a wall that is out of sight would show its back: it goes with the wall. */
+  update(eye: Eye): boolean {
+    this.#eye.setFromMatrixPosition(eye.camera.matrixWorld);
+    this.root.worldToLocal(this.#eye).toArray(this.#place);
+    for (const { box, model } of this.#hung) {
+      model.root.visible = this.#plan || turnedTo(box, this.#place) > SIDEWAYS;
+    }
+    return false;
   }
 
   /** Which box the pointer is over. */

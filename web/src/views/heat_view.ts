@@ -21,6 +21,7 @@ import type { Eye, Part } from "./part";
 const WASH = 9; // metres a second that the map spreads over the room
 const SHIMMER = 0.25; // seconds until the shimmer is there or gone
 const FAR = 1000; // metres; beyond every room
+const EDGE = 0.6; // metres over which the edge of the wash fades, as in the shader
 
 interface Sheet {
   readonly mesh: Mesh<BufferGeometry, HeatMaterial>;
@@ -40,6 +41,8 @@ export class HeatView implements Part {
   #clock = 0;
   #shimmer = 0;
   #front = FAR;
+  /** How far the wash has to go to cover the biggest map, metres. */
+  #reach = 0;
 
   constructor() {
     this.root.visible = false;
@@ -72,14 +75,14 @@ export class HeatView implements Part {
     }
     this.#clock += eye.elapsed;
     this.#shimmer = approach(this.#shimmer, this.#computing ? 1 : 0, eye.elapsed, SHIMMER);
-    this.#front = this.#front >= FAR / 10 ? FAR : this.#front + WASH * eye.elapsed;
+    this.#front = this.#front > this.#reach ? FAR : this.#front + WASH * eye.elapsed;
     for (const { mesh } of this.#sheets) {
       mesh.material.set("clock", this.#clock);
       mesh.material.set("shimmer", reducedMotion() ? this.#shimmer / 2 : this.#shimmer);
       mesh.material.set("front", this.#front);
     }
     const shimmers = this.#shimmer > 0 && !(reducedMotion() && this.#computing);
-    return shimmers || this.#front < FAR / 10;
+    return shimmers || this.#front < FAR;
   }
 
   dispose(): void {
@@ -93,6 +96,8 @@ export class HeatView implements Part {
 
   #rebuild(maps: readonly HeatMap[], room: RoomRecord, boxes: readonly BoxRecord[]): void {
     this.#clear();
+    const spans = maps.map(({ columns, rows, cell }) => Math.hypot(columns, rows) * cell);
+    this.#reach = Math.max(0, ...spans) + EDGE;
     for (const map of maps) {
       const texture = textureOf(map);
       const cells = new Vector2(map.columns, map.rows);

@@ -4,6 +4,7 @@ import { distance, nearestOn } from "../model/geometry";
 import { ghostBox } from "../model/placing";
 import type { HeatMap, Point, Probe, State, Vector3 } from "../model/state";
 import type { BoxRecord, OpeningRecord } from "../net/protocol.gen";
+import { hangs, turnedTo } from "./hanging";
 import { likelihoodOf, placeOnMap, valueAt } from "./heat_layout";
 import { firstBox, meetBox, meetFloor, meetLevel, meetWall, pointOn, type Ray } from "./picking";
 
@@ -25,7 +26,8 @@ const FLAT = 0.3; // height of what counts as an alternative's place, metres
 export function targetAt(state: State, ray: Ray): Target | null {
   const ghost = ghostBox(state);
   const ghostDistance = ghost && meetBox(ray, ghost, GROWN);
-  const first = firstBox(ray, state.scene.boxes);
+  const inSight = state.scene.boxes.filter((box) => !hangs(box) || turnedTo(box, ray.origin) > 0);
+  const first = firstBox(ray, inSight);
   const nearer = first === null || (ghostDistance !== null && ghostDistance <= first.distance);
   if (ghost && ghostDistance !== null && nearer) {
     return { kind: "ghost", box: ghost, distance: ghostDistance };

@@ -1,0 +1,17 @@
+/** What hangs on a wall, and so goes out of sight with it. Pure; core frame. */
+import { bottomOf, headingOf } from "../model/footprints";
+import type { Vector3 } from "../model/state";
+import type { BoxRecord } from "../net/protocol.gen";
+
+const OUT_OF_REACH = 0.7; // metres over the floor; a television above this hangs
+
+export function hangs(box: BoxRecord): boolean {
+  return box.category === "Picture" || (box.category === "TV" && bottomOf(box) > OUT_OF_REACH);
+}
+
+/** How much of its front a box turns to a point: 1 all of it, 0 its edge, less its back. */
+export function turnedTo(box: BoxRecord, [x, y]: Vector3): number {
+  const heading = headingOf(box);
+  const [dx, dy] = [x - box.center[0], y - box.center[1]];
+  return (Math.cos(heading) * dx + Math.sin(heading) * dy) / (Math.hypot(dx, dy) || 1);
+}
