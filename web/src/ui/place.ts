@@ -21,14 +21,17 @@ export function placePanel(page: Page): TemplateResult {
   return section(
     title,
     html`
+      ${placing === null ? after(page) : nothing}
       ${chips(
         "What to place",
         placeable(state.lists.categories),
         placing?.category ?? null,
-        (name) => start(page, name, null, null),
+        (name) => {
+          if (name !== placing?.category) start(page, name, null, null);
+        },
       )}
       ${modeSwitch(page)}
-      ${placing === null ? after(page) : html`${places(page, placing)} ${size(page, placing)} ${items(page, placing)}`}
+      ${placing === null ? nothing : html`${places(page, placing)} ${size(page, placing)} ${items(page, placing)}`}
     `,
     "place",
   );
@@ -68,9 +71,9 @@ function modeSwitch({ state, local, services, dispatch, change }: Page): Templat
 }
 
 /** What can be done right after something was placed. */
-function after(page: Page): TemplateResult {
+function after(page: Page): TemplateResult | typeof nothing {
   const { placed } = page.local;
-  if (placed === null) return html`<p class="quiet">Pick what should go into the room.</p>`;
+  if (placed === null) return nothing;
   const name = inSentence(placed.category);
   return html`<div class="placed">
     <p>The ${name} stands. ${ended(placed.sentence)}</p>

@@ -29,6 +29,7 @@ const CALM = 250;
 export function mountUi(element: HTMLElement, dispatch: Dispatch, services: Services): View {
   let state: State | null = null;
   let local: Local = INITIAL_LOCAL;
+  let topic = "";
   const insets = createInsets(element);
   const say = createVoice();
   const pageOf = (state: State): Page => ({ state, local, services, dispatch, change });
@@ -39,6 +40,8 @@ export function mountUi(element: HTMLElement, dispatch: Dispatch, services: Serv
   function draw(state: State): void {
     render(panels(pageOf(state)), element);
     syncHelp(element, state.help);
+    if (topic !== topicOf(state)) element.querySelector(".parts")?.scrollTo(0, 0);
+    topic = topicOf(state);
     insets.watch();
   }
   const onKey = (event: KeyboardEvent): void => {
@@ -102,6 +105,11 @@ function isForTheRoom({ target, key }: KeyboardEvent): boolean {
   if (key !== "Enter" && key !== " ") return true;
   const control = on.closest("button, a, summary, input");
   return control === null || control.matches(`:is(${PRESSED})[aria-pressed="true"]`);
+}
+
+/** What the panel is about; about something new it is read from the top. */
+function topicOf({ tool, placing, selection }: State): string {
+  return JSON.stringify([tool, placing?.category, selection]);
 }
 
 function syncHelp(element: HTMLElement, open: boolean): void {
