@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
-from scenegen_core.datasets import quest, rows, scene_file
+from scenegen_core.datasets import quest, roomplan, rows, scene_file
 from scenegen_core.datasets.contents import Head
 from scenegen_core.datasets.remarks import Report, Skipped, log
 from scenegen_core.errors import DataError, SceneGenError
@@ -30,6 +30,7 @@ FORMATS = (
     Format("scene", "a scene file", scene_file.recognizes, scene_file.read_scenes),
     Format("rows", "rows of rooms", rows.recognizes, rows.read_scenes),
     Format("quest", "a capture of a Quest headset", quest.recognizes, quest.read_scenes),
+    Format("roomplan", "a RoomPlan scan", roomplan.recognizes, roomplan.read_scenes),
 )
 """In the order they are tried; at most one recognizes a file."""
 
@@ -49,7 +50,12 @@ def format_of(path: Path) -> Format:
 
 def read_scenes(path: Path, report: Report = log) -> Iterator[Scene]:
     """The rooms of a file of any format, one by one; SceneGenError if it is not usable."""
-    return format_of(path).read(path, report)
+    scenes = format_of(path).read(path, report)
+    first = next(scenes, None)
+    if first is None:
+        raise DataError(f"{path} holds no usable room; choose another file.")
+    yield first
+    yield from scenes
 
 
 def read_all(paths: Iterable[Path], report: Report = log) -> Iterator[Scene]:

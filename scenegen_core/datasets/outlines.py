@@ -14,6 +14,7 @@ from scenegen_core.errors import DataError
 from scenegen_core.scene.model import Opening, Point
 
 NEAR_OUTLINE = 0.5  # metres; what lies further outside was seen through a door or a window
+OUTSIDE = "lies outside of the room; it was seen through an opening"
 
 Segment = tuple[Point, Point]
 

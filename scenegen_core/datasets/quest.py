@@ -20,7 +20,7 @@ from shapely import Polygon
 
 from scenegen_core.datasets.contents import Head, content
 from scenegen_core.datasets.labels import category_of, faces_somewhere
-from scenegen_core.datasets.outlines import NEAR_OUTLINE, on_outline, outline_of
+from scenegen_core.datasets.outlines import NEAR_OUTLINE, OUTSIDE, on_outline, outline_of
 from scenegen_core.datasets.quest_capture import (
     Capture,
     Entity,
@@ -51,7 +51,6 @@ ROOMS = {
     "office_large": ("Large office (scan)", "office"),
     "office_small": ("Small office (scan)", "office"),
 }
-OUTSIDE = "lies outside of the room; it was seen through an opening"
 
 
 def recognizes(head: Head) -> bool:
