@@ -51,8 +51,14 @@ export class Cameras {
   }
 
   get active(): PerspectiveCamera | OrthographicCamera {
-    const cameras = { orbit: this.#orbitCamera, top: this.#planCamera, walk: this.#walkCamera };
-    return cameras[this.#mode];
+    switch (this.#mode) {
+      case "orbit":
+        return this.#orbitCamera;
+      case "top":
+        return this.#planCamera;
+      case "walk":
+        return this.#walkCamera;
+    }
   }
 
   show(state: State): void {

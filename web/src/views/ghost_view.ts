@@ -100,15 +100,13 @@ export class GhostView implements Part {
   /** Moves everything to where the glide is. */
   #place(): void {
     const { center, heading } = this.#glide;
-    const [depth, , height] = this.#box?.size ?? [0, 0, 0];
-    const ahead = depth / 2 + ARROW_GAP;
-    const floor = center.z - height / 2;
-    for (const root of [this.#lines.root, this.#model?.root]) {
-      root?.position.set(center.x, center.y, center.z);
-      if (root) {
-        root.rotation.z = heading;
-      }
-    }
+    const size = this.#box?.size;
+    const ahead = (size?.[0] ?? 0) / 2 + ARROW_GAP;
+    const floor = center.z - (size?.[2] ?? 0) / 2;
+    this.#lines.root.position.set(center.x, center.y, center.z);
+    this.#lines.root.rotation.z = heading;
+    this.#model?.root.position.copy(this.#lines.root.position);
+    this.#model?.root.rotation.copy(this.#lines.root.rotation);
     this.#arrow.rotation.z = heading;
     this.#arrow.position.set(
       center.x + Math.cos(heading) * ahead,

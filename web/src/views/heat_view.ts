@@ -20,6 +20,7 @@ import type { Eye, Part } from "./part";
 
 const WASH = 9; // metres a second that the map spreads over the room
 const SHIMMER = 0.25; // seconds until the shimmer is there or gone
+const NONE: readonly HeatMap[] = [];
 const FAR = 1000; // metres; beyond every room
 const EDGE = 0.6; // metres over which the edge of the wash fades, as in the shader
 
@@ -33,10 +34,9 @@ export class HeatView implements Part {
   readonly root = new Group();
   readonly #colors = cividisTexture();
   #sheets: Sheet[] = [];
-  #maps: readonly HeatMap[] = [];
+  #maps = NONE;
   #room: RoomRecord | null = null;
   #boxes: readonly BoxRecord[] = [];
-  #ask: string | null = null;
   #computing = false;
   #clock = 0;
   #shimmer = 0;
@@ -50,11 +50,10 @@ export class HeatView implements Part {
 
   show(state: State): void {
     const { placing, scene, shown } = state;
-    const maps = placing?.heatMaps ?? [];
+    const maps = placing?.heatMaps ?? NONE;
     const visible = shown.heat && maps.length > 0;
-    if (visible && (!this.root.visible || placing?.ask !== this.#ask)) {
+    if (visible && !this.root.visible) {
       this.#front = reducedMotion() ? FAR : 0;
-      this.#ask = placing?.ask ?? null;
     }
     this.root.visible = visible;
     this.#computing = visible && (placing?.computing ?? false);

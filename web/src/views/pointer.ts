@@ -319,10 +319,11 @@ export class Pointer {
     return this.#pad.ray(event.clientX, event.clientY);
   }
 
-  /** The handle within reach of the finger, the nearest one. */
+  /** The handle nearest to the finger; on the body of a thing only a handle that is hit counts. */
   #spotAt(state: State, event: PointerEvent): Spot | null {
     let best: Spot | null = null;
-    let least = event.pointerType === "mouse" ? MOUSE : TOUCH;
+    const onBody = isChosen(state, targetAt(state, this.#ray(event)));
+    let least = onBody || event.pointerType === "mouse" ? MOUSE : TOUCH;
     for (const spot of spotsOf(state)) {
       const place = this.#pad.place(spot.at);
       const gap = place

@@ -1,4 +1,4 @@
-import { Color, NeutralToneMapping, PCFShadowMap, Scene, WebGLRenderer } from "three";
+import { type Camera, Color, NeutralToneMapping, PCFShadowMap, Scene, WebGLRenderer } from "three";
 import type { Assets, StageView } from "../contract";
 import type { Action, Point, State, Vector3 } from "../model/state";
 import { Cameras } from "./cameras";
@@ -36,6 +36,7 @@ export class Stage implements StageView {
   readonly #scenery: Scenery;
   readonly #sight: Sight;
   readonly #pointer: Pointer;
+  readonly #eye: { camera: Camera; pixels: number; elapsed: number };
   readonly #dark = matchMedia("(prefers-color-scheme: dark)");
   readonly #listening = new AbortController();
   readonly #observer: ResizeObserver;
@@ -64,6 +65,7 @@ export class Stage implements StageView {
     this.#scene.add(this.#scenery.root);
     this.#removeReflections = addReflections(this.#renderer, this.#scene);
     this.#cameras = new Cameras(canvas, () => this.invalidate());
+    this.#eye = { camera: this.#cameras.active, pixels: host.clientHeight, elapsed: 0 };
     this.#sight = new Sight(canvas);
     this.#pointer = this.#createPointer(canvas, dispatch);
     this.#relight(look);
@@ -174,7 +176,9 @@ export class Stage implements StageView {
     const camera = this.#cameras.active;
     camera.updateMatrixWorld();
     this.#scene.updateMatrixWorld();
-    const moving = this.#scenery.update({ camera, pixels: this.#host.clientHeight, elapsed });
+    this.#eye.camera = camera;
+    this.#eye.elapsed = elapsed;
+    const moving = this.#scenery.update(this.#eye);
     this.#renderer.render(this.#scene, camera);
     this.#frames += 1;
     return turning || moving;
@@ -215,6 +219,7 @@ export class Stage implements StageView {
     }
     this.#resolution.apply();
     this.#renderer.setSize(clientWidth, clientHeight, false);
+    this.#eye.pixels = clientHeight;
     this.#cameras.setInsets(insetsOf(document.documentElement));
     this.invalidate();
   }
