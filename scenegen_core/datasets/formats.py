@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
-from scenegen_core.datasets import quest, roomplan, rows, scene_file
+from scenegen_core.datasets import quest, roomplan, rows, scene_file, sweethome3d
 from scenegen_core.datasets.contents import Head
 from scenegen_core.datasets.remarks import Report, Skipped, log
 from scenegen_core.errors import DataError, SceneGenError
@@ -31,6 +31,9 @@ FORMATS = (
     Format("rows", "rows of rooms", rows.recognizes, rows.read_scenes),
     Format("quest", "a capture of a Quest headset", quest.recognizes, quest.read_scenes),
     Format("roomplan", "a RoomPlan scan", roomplan.recognizes, roomplan.read_scenes),
+    Format(
+        "sweethome3d", "a home of Sweet Home 3D", sweethome3d.recognizes, sweethome3d.read_scenes
+    ),
 )
 """In the order they are tried; at most one recognizes a file."""
 

@@ -2,7 +2,9 @@
 
 Core: right-handed, z up, heading anticlockwise from +x. Page, glTF and WebXR: right-handed,
 y up; a model's front looks along +z (the glTF convention). Unity: left-handed, y up; a model's
-front looks along +z, and it turns clockwise as seen from above.
+front looks along +z, and it turns clockwise as seen from above. Sweet Home 3D: plans in
+centimetres, x to the right, y down the page, z up; a piece's front looks down the page, and it
+turns clockwise.
 """
 
 from __future__ import annotations
@@ -43,3 +45,15 @@ def unity_to_core(points: Floats) -> Floats:
 def heading_of_unity_turn(turn: float) -> float:
     """The heading of a model turned about Unity's +y, radians."""
     return pi / 2 - turn
+
+
+def sweet_home_to_core(points: Floats) -> Floats:
+    """Points of a Sweet Home 3D plan, (…, 2 or 3) centimetres, as core points in metres."""
+    turned = points / 100
+    turned[..., 1] = -turned[..., 1]
+    return turned
+
+
+def heading_of_sweet_home_turn(turn: float) -> float:
+    """The heading of a piece of furniture that a Sweet Home 3D plan shows turned, radians."""
+    return -pi / 2 - turn

@@ -11,9 +11,11 @@ import numpy as np
 import pytest
 
 from scenegen_core.scene.frames import (
+    heading_of_sweet_home_turn,
     heading_of_turn,
     heading_of_unity_turn,
     page_turn,
+    sweet_home_to_core,
     to_core,
     to_page,
     unity_to_core,
@@ -70,3 +72,16 @@ def test_unitys_left_hand_becomes_a_right_hand() -> None:
 @pytest.mark.parametrize(("turn", "heading"), [(0, 90), (90, 0), (180, -90), (270, -180)])
 def test_unity_turns_clockwise_from_straight_ahead(turn: float, heading: float) -> None:
     assert degrees(heading_of_unity_turn(radians(turn))) == pytest.approx(heading)
+
+
+def test_a_sweet_home_plan_in_centimetres_has_y_turned_up() -> None:
+    right, down = np.array([100.0, 0.0, 0.0]), np.array([0.0, 200.0, 50.0])
+    assert sweet_home_to_core(right).tolist() == [1, 0, 0]
+    assert sweet_home_to_core(down).tolist() == [0, -2, 0.5]
+    assert sweet_home_to_core(down[:2]).tolist() == [0, -2]
+    assert down.tolist() == [0, 200, 50]
+
+
+@pytest.mark.parametrize(("turn", "heading"), [(0, -90), (90, -180), (180, -270), (-90, 0)])
+def test_a_sweet_home_piece_turns_clockwise_from_facing_down(turn: float, heading: float) -> None:
+    assert degrees(heading_of_sweet_home_turn(radians(turn))) == pytest.approx(heading)

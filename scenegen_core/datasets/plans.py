@@ -1,0 +1,118 @@
+"""What the readers of building plans share: rooms checked, openings and furniture given to them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import replace
+from itertools import chain
+from math import inf, isfinite
+from pathlib import Path
+
+import msgspec
+from shapely import LineString, Polygon, get_parts, make_valid, union_all
+from shapely import Point as ShapelyPoint
+
+from scenegen_core.datasets.remarks import Report, Skipped
+from scenegen_core.errors import SceneError
+from scenegen_core.scene.files import RoomRecord, room_of
+from scenegen_core.scene.model import DEFAULT_HEIGHT, Box, Opening, Point, Room, Scene
+
+BESIDE = 0.3  # metres; half of a thick wall: openings in it are that far from the rooms' outlines
+HALF_HIDDEN = 0.5  # share of an opening's width; with less before it, a room is not beside it
+IN_WALL = 0.05  # metres; how far centers of things on sills and in niches are from the floor
+LOOPS = 0.05  # share of the floor; where an outline crosses itself, smaller loops are cut off
+LONGEST_NAME = 50  # characters of a file's name that go into ids
+
+
+def checked_room(
+    corners: Sequence[Point], *, height: float = DEFAULT_HEIGHT, room_type: str = ""
+) -> Room:
+    """A room without openings; SceneError if its outline or its height is not usable."""
+    record = RoomRecord(corners=_without_loops(corners), height=height, room_type=room_type)
+    try:
+        return room_of(msgspec.convert(msgspec.to_builtins(record), RoomRecord))
+    except msgspec.ValidationError as error:
+        raise SceneError(str(error)) from None
+
+
+def with_openings(room: Room, doors: Iterable[Opening], windows: Iterable[Opening]) -> Room:
+    """The room with those of the openings that lead through its walls, put on its outline."""
+    return replace(room, doors=_through(room, doors), windows=_through(room, windows))
+
+
+def furnished(
+    scenes: Sequence[Scene], boxes: Iterable[Box], path: Path, report: Report
+) -> tuple[Scene, ...]:
+    """The scenes, each with the boxes whose centers its room contains; the others are reported.
+
+    Where rooms overlap, the smaller one has the box.
+    """
+    outlines = [Polygon(scene.room.corners) for scene in scenes]
+    inside: list[list[Box]] = [[] for _ in scenes]
+    for box in boxes:
+        center = ShapelyPoint(box.center[:2])
+        near = min((outline.distance(center) for outline in outlines), default=inf)
+        around = [i for i, outline in enumerate(outlines) if outline.distance(center) <= near]
+        if near <= IN_WALL:
+            inside[min(around, key=lambda i: outlines[i].area)].append(box)
+        else:
+            report(Skipped(path, f"object {box.id!r}", "it stands in no room"))
+    return tuple(
+        replace(scene, boxes=tuple(found)) for scene, found in zip(scenes, inside, strict=True)
+    )
+
+
+def between_walls(walls: Iterable[tuple[Point, Point, float]]) -> list[list[Point]]:
+    """The outlines of the floors that walls enclose; a wall is its middle line and thickness."""
+    lines = [(LineString([start, end]), thickness) for start, end, thickness in walls]
+    bodies = union_all(
+        [line.buffer(thickness / 2, cap_style="square") for line, thickness in lines]
+    )
+    holes = [Polygon(hole) for body in get_parts(bodies) for hole in body.interiors]
+    return [[rounded_point(*corner) for corner in hole.exterior.coords[:-1]] for hole in holes]
+
+
+def scene_id(path: Path, *parts: str) -> str:
+    """The id of a room of a file: the file's name without endings, then what tells its rooms."""
+    return "/".join((path.name.split(".")[0][:LONGEST_NAME], *parts))
+
+
+def rounded_point(x: float, y: float) -> Point:
+    """A point of the plan to a tenth of a millimetre."""
+    return round(float(x), 4), round(float(y), 4)
+
+
+def rounded(values: Iterable[float]) -> tuple[float, ...]:
+    """Numbers to a tenth of a millimetre."""
+    return tuple(round(float(value), 4) for value in values)
+
+
+def _without_loops(corners: Sequence[Point]) -> tuple[Point, ...]:
+    """The outline, without the small loops where it crosses itself."""
+    if len(corners) < 3 or not all(map(isfinite, chain(*corners))):  # noqa: PLR2004 (a triangle)
+        return tuple(corners)
+    drawn = make_valid(Polygon(corners))
+    floors = [part for part in get_parts(drawn) if isinstance(part, Polygon)]
+    largest = max(floors, key=lambda floor: floor.area, default=Polygon())
+    whole = Polygon(largest.exterior)
+    if drawn.equals(whole) or drawn.symmetric_difference(whole).area > LOOPS * whole.area:
+        return tuple(corners)
+    return tuple(rounded_point(*corner) for corner in whole.exterior.coords[:-1])
+
+
+def _through(room: Room, openings: Iterable[Opening]) -> tuple[Opening, ...]:
+    moved = (_onto(room, opening) for opening in openings)
+    return tuple(opening for opening in moved if opening is not None)
+
+
+def _onto(room: Room, opening: Opening) -> Opening | None:
+    """The opening moved onto the outline; None if it is not in a wall of the room."""
+    outline = Polygon(room.corners).exterior
+    start, end = ShapelyPoint(opening.start), ShapelyPoint(opening.end)
+    middle = ShapelyPoint((start.x + end.x) / 2, (start.y + end.y) / 2)
+    on_wall = [outline.interpolate(outline.project(point)) for point in (start, end)]
+    near = outline.distance(middle) <= BESIDE
+    if not near or on_wall[0].distance(on_wall[1]) < HALF_HIDDEN * start.distance(end):
+        return None
+    (x, y), (u, v) = (rounded((point.x, point.y)) for point in on_wall)
+    return replace(opening, start=(x, y), end=(u, v))
