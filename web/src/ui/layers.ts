@@ -1,7 +1,7 @@
 /** What is shown over the room: the map, its legend, the graph, the names. */
 import { html, nothing, type TemplateResult } from "lit";
+import { relationLook } from "../model/relation_looks";
 import type { HeatMap, Layer, State } from "../model/state";
-import { relationLook } from "../views/relation_looks";
 import { toolButton } from "./controls";
 import type { IconName } from "./icons";
 import type { Page } from "./page";

@@ -1,11 +1,11 @@
 import { Group } from "three";
+import { relationLook } from "../model/relation_looks";
 import type { State, Vector3 } from "../model/state";
 import type { Graph, GraphEdge, GraphNode } from "../net/protocol.gen";
 import { arc, crest, edgesOf, isLonely, lanes, placesOf } from "./graph_layout";
 import { Notes } from "./notes";
 import type { Look } from "./palette";
 import type { Eye, Part } from "./part";
-import { relationLook } from "./relation_looks";
 import { Strokes } from "./strokes";
 import { TextSprite } from "./text_sprite";
 
