@@ -110,6 +110,7 @@ describe("the reasons", () => {
     });
     const inspected = play(dragged, {
       type: "inspected",
+      pose: { center: [1, 1, 0.4], heading: 0 },
       inspected: {
         type: "inspected",
         id: "i",
@@ -177,7 +178,7 @@ describe("the states of the page", () => {
 });
 
 test("the connection says what waits", () => {
-  const at = { session: null, revision: 0 };
+  const at = { session: null, revision: 0, ended: null };
   expect(connectionInWords({ ...at, status: "offline", unsent: 3 })).toBe(
     "Offline, 3 changes waiting",
   );

@@ -44,7 +44,7 @@ export function help({ state, dispatch }: Page): TemplateResult {
       )}
       <div>
         <h3>Mouse and fingers</h3>
-        <dl>
+        <dl class="gestures">
           ${GESTURES.map(({ gesture, words }) => html`<dt>${gesture}</dt><dd>${words}</dd>`)}
         </dl>
       </div>

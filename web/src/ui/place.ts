@@ -1,8 +1,7 @@
 /** Choosing what to place, and where: category, item, size, mode, the places on offer. */
 import { html, nothing, type TemplateResult } from "lit";
+import { shownRefusal } from "../model/ghost";
 import { usualSize } from "../model/labels";
-import { obstacleSentence } from "../model/obstacles";
-import { ghostObstacle } from "../model/placing";
 import type { Mode, Placing, Vector3 } from "../model/state";
 import { formatSize } from "../model/units";
 import { chips, placeable } from "./categories";
@@ -154,6 +153,9 @@ function places(page: Page, placing: Placing): TemplateResult {
     return html`<p class="quiet">Drag it to where you want it. Turn it with the ring, or with [ and ].</p>`;
   }
   const { answer, computing } = placing;
+  if (placing.problem !== null) {
+    return html`<p class="blocked">${icon("problem")} ${placing.problem}</p>`;
+  }
   if (answer === null) return waiting(page);
   if (answer.no_good_place !== null && answer.placements.length === 0) {
     return html`<div class="no-place">
@@ -194,16 +196,16 @@ function waiting({ state }: Page): TemplateResult {
 export function decision({ state, dispatch }: Page): TemplateResult | typeof nothing {
   const { placing } = state;
   if (placing === null) return nothing;
-  const obstacle = ghostObstacle(state);
+  const refusal = shownRefusal(state);
   return html`<div class="decision">
-    ${obstacle === null ? nothing : html`<p class="blocked">${icon("problem")} ${obstacleSentence(obstacle)}</p>`}
+    ${refusal === null ? nothing : html`<p class="blocked">${icon("problem")} ${refusal}</p>`}
     <div class="row">
       ${button(
         {
           icon: "check",
-          label: "Place it",
+          label: placing.confirming ? "Placing…" : "Place it",
           keys: "Enter",
-          disabled: placing.pose === null || obstacle !== null,
+          disabled: placing.pose === null || placing.confirming || refusal !== null,
           run: () => dispatch({ type: "confirm" }),
         },
         "primary",

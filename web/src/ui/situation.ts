@@ -14,13 +14,15 @@ const TONES: Readonly<Record<Notice["tone"], IconName>> = {
 
 export function situation(page: Page): TemplateResult | typeof nothing {
   const { state } = page;
-  if (state.connection.status === "offline") return offline();
+  const { status, ended } = state.connection;
+  if (ended !== null) return pill("problem", ended);
+  if (status === "offline") return pill("offline", "Offline. You can go on; I'll catch up.");
   const busy = state.tool !== "select" || state.placing !== null;
   return state.scene.boxes.length === 0 && !busy ? emptyRoom(page) : nothing;
 }
 
-function offline(): TemplateResult {
-  return html`<p class="pill">${icon("offline")}<span>Offline. You can go on; I'll catch up.</span></p>`;
+function pill(name: IconName, words: string): TemplateResult {
+  return html`<p class="pill">${icon(name)}<span>${words}</span></p>`;
 }
 
 function emptyRoom({ dispatch }: Page): TemplateResult {

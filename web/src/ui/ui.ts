@@ -33,12 +33,16 @@ export function mountUi(element: HTMLElement, dispatch: Dispatch, services: Serv
   const insets = createInsets(element);
   const say = createVoice();
   const pageOf = (state: State): Page => ({ state, local, services, dispatch, change });
+  const panel = (): HTMLElement | null => element.querySelector(".panel");
   function change(changed: Partial<Local>): void {
     local = { ...local, ...changed };
     if (state !== null) draw(state);
   }
   function draw(state: State): void {
+    const focused = element.contains(document.activeElement);
     render(panels(pageOf(state)), element);
+    // What had the focus is gone: the panel takes it, so that Tab goes on from there.
+    if (focused && document.activeElement === document.body) panel()?.focus();
     syncHelp(element, state.help);
     if (topic !== topicOf(state)) element.querySelector(".parts")?.scrollTo(0, 0);
     topic = topicOf(state);
@@ -81,7 +85,7 @@ export function panels(page: Page): TemplateResult {
       ${objectList(page)} ${toast(page)} ${cameras(page)} ${layers(page)}
       <div class="lower">${situation(page)} ${nextStep(page)} ${welcome(page)}</div>
     </section>
-    <aside class="panel" aria-label="Panel" data-sheet=${local.sheet}>
+    <aside class="panel" aria-label="Panel" tabindex="-1" data-sheet=${local.sheet}>
       ${sheetHandle(page)}
       <div class="parts" data-placed=${local.placed !== null}>
         ${drawing ? drawingPanel(page) : nothing}
