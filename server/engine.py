@@ -8,6 +8,7 @@ from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from functools import partial
 from threading import Event
+from time import monotonic
 from typing import TypeVar
 
 from scenegen_core.placement.answer import Cancelled
@@ -19,6 +20,7 @@ Then = Callable[[], None]
 """What is to be done on the event loop when the work is over."""
 
 WORKERS = 2  # threads; one long answer must not keep everybody else waiting
+PATIENCE = 0.5  # seconds that work may run on when newer work waits: a drag must see maps
 
 
 @dataclass(frozen=True, slots=True)
@@ -28,17 +30,22 @@ class Job:
     session: str
     kind: str
     run: Callable[[], Then]
+    dropped: Event
+    """Nobody waits for it any more."""
     superseded: Event
+    """Newer work of its kind waits."""
 
 
 class Engine:
     """Runs jobs on a few threads; of one session and kind only the newest counts.
 
-    A newer job replaces the one that waits and tells the one that runs to stop; what that still
-    returns is dropped. Sessions take turns. All methods belong to the event loop.
+    A newer job replaces the one that waits. The one that runs is abandoned if it takes longer than
+    ``patience``; otherwise its result still counts, so that a stream of edits sees results on its
+    way and not only at its end. Sessions take turns. All methods belong to the event loop.
     """
 
-    def __init__(self, workers: int = WORKERS) -> None:
+    def __init__(self, workers: int = WORKERS, *, patience: float = PATIENCE) -> None:
+        self._patience = patience
         self._pool = ThreadPoolExecutor(workers, thread_name_prefix="engine")
         self._free = workers
         self._waiting: dict[str, dict[str, Job]] = {}  # by session in turn, then by kind
@@ -57,12 +64,14 @@ class Engine:
     ) -> None:
         """Do this work instead of older work of the session and kind.
 
-        ``done`` or ``failed`` is called on the event loop, unless newer work came in between.
+        ``done`` or ``failed`` is called on the event loop, unless the work was abandoned.
         """
-        self.abandon(session, kind)
-        superseded = Event()
-        run = partial(_run, work, superseded.is_set, done, failed)
-        self._waiting.setdefault(session, {})[kind] = Job(session, kind, run, superseded)
+        running = self._running.get((session, kind))
+        if running is not None:
+            running.superseded.set()
+        dropped, superseded = Event(), Event()
+        run = partial(_run, work, (dropped, superseded, self._patience), done, failed)
+        self._waiting.setdefault(session, {})[kind] = Job(session, kind, run, dropped, superseded)
         self._start()
 
     def abandon(self, session: str, kind: str) -> None:
@@ -70,7 +79,7 @@ class Engine:
         self._waiting.get(session, {}).pop(kind, None)
         running = self._running.pop((session, kind), None)
         if running is not None:
-            running.superseded.set()
+            running.dropped.set()
 
     def forget(self, session: str) -> None:
         """The session is gone."""
@@ -121,11 +130,18 @@ class Engine:
 
 def _run(
     work: Callable[[Cancel], T],
-    cancelled: Cancel,
+    signals: tuple[Event, Event, float],
     done: Callable[[T], None],
     failed: Callable[[Exception], None],
 ) -> Then:
     """Do the work on this thread."""
+    dropped, superseded, patience = signals
+    begun = monotonic()
+
+    def cancelled() -> bool:
+        too_long = monotonic() - begun > patience
+        return dropped.is_set() or (superseded.is_set() and too_long)
+
     try:
         return partial(done, work(cancelled))
     except Cancelled:

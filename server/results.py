@@ -46,14 +46,20 @@ def furnished(session: Session, result: Furnished) -> Step:
 
 
 def solved(session: Session, result: Solved) -> Step:
-    """An answer is ready; dropped if it is not for the ask and the scene as they are."""
+    """An answer is ready; dropped if it is not for the ask.
+
+    One of an older revision is sent too: while a box is dragged it is the newest there is. Poses
+    are examined in the scene as it is only.
+    """
     ask, answer, waiting = session.ask, result.answer, session.inspect
-    if ask is None or (answer.ask, answer.revision) != (ask.id, session.revision):
+    if ask is None or answer.ask != ask.id:
         return session, ()
-    session = replace(session, solution=result.solution, inspect=None)
-    looks = () if waiting is None else examine(session, waiting)
     session, pushes = _push(session, (answer.asset,))
-    return session, (*pushes, SendAnswer(answer, result.maps), *looks)
+    sent = (*pushes, SendAnswer(answer, result.maps))
+    if answer.revision != session.revision:
+        return session, sent
+    session = replace(session, solution=result.solution, inspect=None)
+    return session, sent if waiting is None else (*sent, *examine(session, waiting))
 
 
 def examined(session: Session, message: Inspected) -> Step:
@@ -63,9 +69,8 @@ def examined(session: Session, message: Inspected) -> Step:
 
 
 def graphed(session: Session, message: Graph) -> Step:
-    """A scene graph is ready; dropped if it is stale."""
-    current = session.watching and message.revision == session.revision
-    return session, (Send(message),) if current else ()
+    """A scene graph is ready; dropped if nobody watches any more."""
+    return session, (Send(message),) if session.watching else ()
 
 
 def _push(session: Session, digests: Iterable[str]) -> tuple[Session, tuple[Deed, ...]]:

@@ -34,9 +34,11 @@ class Desk:
         return self.results
 
 
-def at_a_desk(story: Callable[[Desk], Awaitable[None]], *, workers: int = 1) -> None:
+def at_a_desk(
+    story: Callable[[Desk], Awaitable[None]], *, workers: int = 1, patience: float = 0
+) -> None:
     async def run() -> None:
-        engine = Engine(workers)
+        engine = Engine(workers, patience=patience)
         await story(Desk(engine))
         await engine.close()
 
@@ -81,7 +83,7 @@ def test_work_is_done_off_the_event_loop_and_its_result_comes_back() -> None:
     at_a_desk(story)
 
 
-def test_newer_work_stops_the_older_which_is_never_heard_of() -> None:
+def test_newer_work_stops_the_older_that_takes_too_long() -> None:
     async def story(desk: Desk) -> None:
         older = Gate("older")
         desk.submit("a", "solve", older.work)
@@ -93,11 +95,25 @@ def test_newer_work_stops_the_older_which_is_never_heard_of() -> None:
     at_a_desk(story)
 
 
-def test_a_result_that_was_superseded_while_it_was_made_is_dropped() -> None:
+def test_in_a_stream_of_edits_a_result_on_the_way_counts_and_then_the_newest() -> None:
+    async def story(desk: Desk) -> None:
+        first = Gate("first")
+        desk.submit("a", "solve", first.work)
+        await first.has_begun()
+        for number in range(10):
+            desk.submit("a", "solve", returning(number))
+        first.open.set()
+        assert await desk.until(2) == ["first", 9]
+
+    at_a_desk(story, patience=3600)
+
+
+def test_the_result_of_work_that_was_dropped_while_it_ran_is_never_heard_of() -> None:
     async def story(desk: Desk) -> None:
         deaf = Gate("older")
         desk.submit("a", "solve", lambda _: deaf.work(lambda: False))
         await deaf.has_begun()
+        desk.engine.abandon("a", "solve")
         desk.submit("a", "solve", returning("newer"))
         deaf.open.set()
         assert await desk.until(1) == ["newer"]
@@ -150,7 +166,7 @@ def test_a_session_in_a_hurry_leaves_a_thread_to_the_others() -> None:
         desk.submit("b", "solve", returning("other session"))
         assert await desk.until(1) == ["other session"]
         deaf.open.set()
-        assert await desk.until(2) == ["other session", "newer"]
+        assert await desk.until(3) == ["other session", "older", "newer"]
 
     at_a_desk(story, workers=2)
 

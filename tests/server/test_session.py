@@ -283,9 +283,19 @@ def test_an_answer_comes_behind_the_model_of_its_object(result: Solved) -> None:
     assert session.assets == {DIGEST}
 
 
-def test_an_answer_to_an_older_ask_or_revision_is_dropped(result: Solved) -> None:
+def test_while_a_box_is_dragged_an_answer_on_the_way_is_sent_but_nothing_examined_in_it(
+    result: Solved,
+) -> None:
+    pose = Inspect(id="i", center=(1.0, 1.0, 0.4), heading=0.0)
+    session, _ = after(DRAWN, SOFA, PutBox(seq=1, box=TABLE), pose)
+    session, deeds = solved(session, result)
+    assert deeds[-1] == SendAnswer(result.answer, result.maps)
+    assert session.inspect == pose
+    assert session.solution is None
+
+
+def test_an_answer_to_an_older_ask_is_dropped(result: Solved) -> None:
     for messages in (
-        (SOFA, PutBox(seq=1, box=TABLE)),
         (SOFA, Ask(id="b", query=Query(category="Sofa"))),
         (SOFA, Ask(id="b", query=None)),
     ):
@@ -310,7 +320,7 @@ def test_inspecting_without_an_ask_is_refused() -> None:
     assert problem.code == "bad_query"
 
 
-def test_what_was_found_for_an_older_revision_is_dropped() -> None:
+def test_a_pose_examined_in_an_older_scene_is_dropped_and_a_graph_when_unwatched() -> None:
     session, _ = after(DRAWN, SOFA, WatchGraph(on=True))
     fresh = Inspected("i", "a", 4, True, None, None, "", ())
     graph = Graph(revision=4, nodes=(), edges=())
@@ -318,4 +328,6 @@ def test_what_was_found_for_an_older_revision_is_dropped() -> None:
     assert graphed(session, graph)[1] == (Send(graph),)
     session, _ = after(session, PutBox(seq=1, box=TABLE))
     assert examined(session, fresh)[1] == ()
+    assert graphed(session, graph)[1] == (Send(graph),)
+    session, _ = after(session, WatchGraph(on=False))
     assert graphed(session, graph)[1] == ()
