@@ -2,7 +2,7 @@
 import type { Answer, Inspected } from "../net/protocol.gen";
 import { onAlternative } from "./placing";
 import { poseAt, resized } from "./resting";
-import type { Connection, HeatMap, Placing, Point, State } from "./state";
+import type { Connection, HeatMap, Placing, Point, Pose, State } from "./state";
 
 /** The answer to the ask in force; others, and those older than the last, change nothing. */
 export function answered(state: State, answer: Answer, heatMaps: readonly HeatMap[]): State {
@@ -19,6 +19,7 @@ export function answered(state: State, answer: Answer, heatMaps: readonly HeatMa
     asset: answer.asset,
     pose: pose === null ? null : resized(category, placing.size, answer.size, pose),
     computing: !isUpToDate(answer, connection),
+    problem: null,
   };
   const follows = next.mode === "scenegen" && (next.alternative !== null || pose === null);
   return { ...state, placing: follows ? onAlternative(next, next.alternative ?? 1) : next };
@@ -38,16 +39,30 @@ export function caughtUp(state: State): State {
   return { ...state, placing: { ...placing, computing: false } };
 }
 
-export function inspected(state: State, value: Inspected): State {
+/** What the server says of a pose of the ghost, which may have been dragged on since. */
+export function inspected(state: State, value: Inspected, pose: Pose): State {
   const { placing } = state;
   if (placing === null || value.ask !== placing.ask || placing.alternative !== null) return state;
-  return { ...state, placing: { ...placing, inspected: value } };
+  return { ...state, placing: { ...placing, inspected: value, inspectedPose: pose } };
+}
+
+/** The server cannot answer the ask: what it said of the one before is no longer good. */
+export function askRefused(state: State, text: string): State {
+  const { placing } = state;
+  if (placing === null) return state;
+  const bare = { answer: null, heatMaps: [], inspected: null, inspectedPose: null };
+  return { ...state, placing: { ...placing, ...bare, computing: false, problem: text } };
 }
 
 /** The question again under a new id: what the old one had is no longer good. */
 export function askAgain(state: State): State {
   if (state.placing === null) return state;
-  const placing = { ...state.placing, ask: `ask-${state.nextId}`, computing: true };
+  const placing = {
+    ...state.placing,
+    ask: `ask-${state.nextId}`,
+    computing: true,
+    problem: null,
+  };
   return { ...state, placing, nextId: state.nextId + 1 };
 }
 
@@ -61,7 +76,7 @@ export function inAnotherRoom(state: State): State {
   const byHand = placing.mode === "manual";
   const pose = byHand ? poseAt(scene, placing.category, placing.size, middle) : null;
   const alternative = byHand ? null : 1;
-  const bare = { answer: null, heatMaps: [], inspected: null };
+  const bare = { answer: null, heatMaps: [], inspected: null, inspectedPose: null };
   return { ...next, placing: { ...placing, ...bare, pose, alternative } };
 }
 

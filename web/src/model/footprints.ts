@@ -17,17 +17,20 @@ import type { Point } from "./state";
 /** Overlaps up to this are contact, metres: measuring a room is no more exact. */
 export const CONTACT = 0.02;
 /** Things no thicker than this are in nobody's way (rugs), metres. */
-const FLAT = 0.05;
+export const FLAT = 0.05;
 
-export const headingOf = (box: BoxRecord): number => box.heading ?? 0;
+export const headingOf = (box: Footprint): number => box.heading ?? 0;
 export const bottomOf = (box: BoxRecord): number => box.center[2] - box.size[2] / 2;
 export const topOf = (box: BoxRecord): number => box.center[2] + box.size[2] / 2;
-export const floorPoint = (box: BoxRecord): Point => [box.center[0], box.center[1]];
+export const floorPoint = (box: Footprint): Point => [box.center[0], box.center[1]];
 
 /** The box with its center above another point of the floor. */
 export function movedTo(box: BoxRecord, [x, y]: Point): BoxRecord {
   return { ...box, center: [x, y, box.center[2]] };
 }
+
+/** What a box takes up of the floor. */
+export type Footprint = Pick<BoxRecord, "center" | "size" | "heading">;
 
 /** The four corners anticlockwise from front right; `shrink` takes that off every side. */
 export function footprint(box: BoxRecord, shrink = 0): readonly Point[] {
@@ -41,7 +44,7 @@ export function footprint(box: BoxRecord, shrink = 0): readonly Point[] {
 }
 
 /** How far the footprint reaches from its center in a direction (a unit vector), metres. */
-export function reach(box: BoxRecord, toward: Point): number {
+export function reach(box: Footprint, toward: Point): number {
   const ahead = direction(headingOf(box));
   const depth = Math.abs(dot(ahead, toward)) * box.size[0];
   const width = Math.abs(dot(leftOf(ahead), toward)) * box.size[1];
@@ -56,15 +59,15 @@ export function standsInside(box: BoxRecord, room: RoomRecord): boolean {
   return outline.every((point) => isInside(point, room.corners)) && !sides(outline).some(cut);
 }
 
-/** Whether two boxes take up the same space, beyond contact. */
-export function overlap(box: BoxRecord, other: BoxRecord): boolean {
+/** Whether two boxes take up the same space, beyond contact or that many metres. */
+export function overlap(box: BoxRecord, other: BoxRecord, beyond = CONTACT): boolean {
   const shared = Math.min(topOf(box), topOf(other)) - Math.max(bottomOf(box), bottomOf(other));
   if (shared <= FLAT) return false;
-  return overlapFromAbove(box, other);
+  return overlapFromAbove(box, other, beyond);
 }
 
-/** Whether two footprints share floor, beyond contact (separating axes). */
-export function overlapFromAbove(box: BoxRecord, other: BoxRecord): boolean {
+/** Whether two footprints share floor, beyond contact or that many metres (separating axes). */
+export function overlapFromAbove(box: Footprint, other: Footprint, beyond = CONTACT): boolean {
   const between = subtract(floorPoint(other), floorPoint(box));
   const axes = [box, other].flatMap((one) => {
     const ahead = direction(headingOf(one));
@@ -72,6 +75,6 @@ export function overlapFromAbove(box: BoxRecord, other: BoxRecord): boolean {
   });
   return axes.every((axis) => {
     const gap = Math.abs(dot(between, axis)) - reach(box, axis) - reach(other, axis);
-    return gap < -CONTACT;
+    return gap < -beyond;
   });
 }

@@ -49,7 +49,7 @@ export function initialState(scene: SceneRecord, nextId = 1): State {
       heatOpacity: 0.8,
       hiddenRelations: [],
     },
-    connection: { status: "connecting", session: null, revision: 0, unsent: 0 },
+    connection: { status: "connecting", session: null, revision: 0, unsent: 0, ended: null },
     lists: { categories: [], catalogue: [], rooms: [] },
     models: {},
     graph: null,

@@ -1,57 +1,111 @@
-/** What keeps a thing from standing where it is. */
-import type { BoxRecord, SceneRecord } from "../net/protocol.gen";
-import { overlap, standsInside, topOf } from "./footprints";
+/**
+ * What keeps a thing from standing where it is: the rules of scenegen_core/placement/feasible.py
+ * as far as the page can tell by itself, so that it is honest without the server too.
+ */
+import type { BoxRecord, OpeningRecord, RoomRecord, SceneRecord } from "../net/protocol.gen";
+import {
+  bottomOf,
+  CONTACT,
+  FLAT,
+  type Footprint,
+  overlap,
+  overlapFromAbove,
+  standsInside,
+  topOf,
+} from "./footprints";
+import { add, angleOf, between, distance, scale } from "./geometry";
 import { OTHER } from "./labels";
+import { restsOnSomething } from "./resting";
+import { nearestWall } from "./walls";
 
 /** Ceilings are measured no more exactly than this, metres; RESTS of scenegen_core. */
 const CEILING = 0.05;
+/** A door's own square stays free, at most this deep, metres; DOOR_DEPTH of scenegen_core. */
+const DOOR_DEPTH = 1.5;
+/** Before a window this stays free of what is taller than its sill, metres; WINDOW_DEPTH. */
+const WINDOW_DEPTH = 0.5;
+/** Sills are measured no more exactly than this, metres; LAYER of scenegen_core. */
+const SILL = 0.01;
+/** A chair's seat goes this far under a table, metres; TUCK of scenegen_core. */
+const TUCK = 0.35;
 
 export type Obstacle =
-  | { readonly kind: "wall" }
-  | { readonly kind: "ceiling" }
+  | { readonly kind: "wall" | "ceiling" | "hold" | "door" | "window" }
   | { readonly kind: "box"; readonly box: BoxRecord };
-
-/** Pairs that may share space: boxes round them are bigger than the things themselves. */
-const NATURAL: readonly (readonly [string, string])[] = [
-  ["Chair", "Table"],
-  ["Decor", "Bed"],
-  ["Decor", "Chair"],
-  ["Decor", "Decor"],
-  ["Decor", "Sofa"],
-  ["Decor", "Storage"],
-];
 
 /** The first thing in the way of a box, its own former self excepted; null if nothing is. */
 export function obstacleOf(scene: SceneRecord, box: BoxRecord): Obstacle | null {
-  if (!standsInside(box, scene.room)) return { kind: "wall" };
-  if (topOf(box) > scene.room.height + CEILING) return { kind: "ceiling" };
-  const hit = scene.boxes.find(
-    (other) => other.id !== box.id && !isNatural(box, other) && overlap(box, other),
-  );
-  return hit === undefined ? null : { kind: "box", box: hit };
+  const { room } = scene;
+  if (!standsInside(box, room)) return { kind: "wall" };
+  if (topOf(box) > room.height + CEILING) return { kind: "ceiling" };
+  if (!restsOnSomething(scene, box)) return { kind: "hold" };
+  const hit = scene.boxes.find((other) => other.id !== box.id && collide(box, other));
+  if (hit !== undefined) return { kind: "box", box: hit };
+  if (blocksDoor(room, box)) return { kind: "door" };
+  return coversWindow(room, box) ? { kind: "window" } : null;
 }
 
 /** The obstacle as a sentence. */
 export function obstacleSentence(obstacle: Obstacle): string {
   switch (obstacle.kind) {
     case "wall":
-      return "It would stand in the wall.";
+      return "It would stick through a wall or out of the room.";
     case "ceiling":
       return "It is too tall for this room.";
+    case "hold":
+      return "It has to hang on a wall, or stand on something that can carry it.";
+    case "door":
+      return "It would stand in the way of a door.";
+    case "window":
+      return "It would cover a window.";
     case "box":
       return `It would stand in ${nameOf(obstacle.box)}.`;
   }
 }
 
-function isNatural(box: BoxRecord, other: BoxRecord): boolean {
-  return NATURAL.some(
-    ([a, b]) =>
-      (box.category === a && other.category === b) || (box.category === b && other.category === a),
-  );
+function collide(box: BoxRecord, other: BoxRecord): boolean {
+  const pair = [box.category, other.category];
+  const tucked = pair.includes("Chair") && pair.includes("Table");
+  return overlap(box, other, tucked ? TUCK : CONTACT);
+}
+
+function blocksDoor(room: RoomRecord, box: BoxRecord): boolean {
+  if (box.size[2] <= FLAT) return false;
+  return room.doors.some((door) => {
+    const depth = Math.min(distance(door.start, door.end), DOOR_DEPTH);
+    return bottomOf(box) < door.top && reachesInto(room, door, depth, box);
+  });
+}
+
+function coversWindow(room: RoomRecord, box: BoxRecord): boolean {
+  return room.windows.some((window) => {
+    const across = topOf(box) > window.bottom + SILL && bottomOf(box) < window.top;
+    return across && reachesInto(room, window, WINDOW_DEPTH, box);
+  });
+}
+
+/** Whether a box reaches into the floor before a door or window, on the inner side. */
+function reachesInto(
+  room: RoomRecord,
+  opening: OpeningRecord,
+  depth: number,
+  box: BoxRecord,
+): boolean {
+  const middle = between(opening.start, opening.end, 0.5);
+  const wall = nearestWall(room, middle);
+  if (wall === undefined) return false;
+  const [x, y] = add(middle, scale(wall.inward, depth / 2));
+  const clear: Footprint = {
+    center: [x, y, 0],
+    size: [depth, distance(opening.start, opening.end), 0],
+    heading: angleOf(wall.inward),
+  };
+  return overlapFromAbove(box, clear);
 }
 
 function nameOf(box: BoxRecord): string {
   const name = box.label || box.category;
   if (name === OTHER) return "something else";
+  if (name === "Storage" || name === "Decor") return `the ${name.toLowerCase()} piece`;
   return `the ${name === "TV" ? name : name.toLowerCase()}`;
 }

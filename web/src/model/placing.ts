@@ -1,16 +1,15 @@
 /** An object on its way into the room: by hand (Manual) or by proposal (SceneGen). */
-import type { BoxRecord } from "../net/protocol.gen";
+
 import { add, roundedPoint, wrapped } from "./geometry";
+import { ghostBox } from "./ghost";
 import { edited } from "./history";
 import { usualSize } from "./labels";
-import { refused } from "./notices";
-import { type Obstacle, obstacleOf, obstacleSentence } from "./obstacles";
 import { poseAt, resized, settled } from "./resting";
 import { freeId, withBox } from "./scenes";
 import type { Mode, Placing, Point, Pose, State, Vector3 } from "./state";
 
-/** The id of the ghost as a box; no box of a scene has it. */
-export const GHOST = "ghost";
+/** Nothing was said of where the ghost stands, or of the ask. */
+const UNTOLD = { inspected: null, inspectedPose: null, confirming: false, problem: null };
 
 interface Wish {
   readonly category: string;
@@ -36,7 +35,7 @@ export function place(state: State, wish: Wish): State {
     computing: true,
     answer: null,
     heatMaps: [],
-    inspected: null,
+    ...UNTOLD,
   };
   return {
     ...state,
@@ -52,7 +51,7 @@ export function place(state: State, wish: Wish): State {
 export function setMode(state: State, mode: Mode, view: Point): State {
   const { placing, scene } = state;
   if (placing === null || placing.mode === mode) return state;
-  const byHand = { ...placing, mode, alternative: null, inspected: null };
+  const byHand = { ...placing, mode, alternative: null, inspected: null, inspectedPose: null };
   if (mode === "manual") {
     const pose = poseAt(scene, placing.category, placing.size, view);
     return { ...state, placing: { ...byHand, pose } };
@@ -73,7 +72,7 @@ export function setSize(state: State, wished: Vector3 | null): State {
     size,
     pose: pose === null ? null : resized(category, placing.size, size, pose),
     computing: true,
-    inspected: null,
+    ...UNTOLD,
   };
   return { ...state, placing: next, nextId: state.nextId + 1 };
 }
@@ -105,14 +104,13 @@ export function turnGhost(state: State, by: number): State {
   return dragGhost(state, { ...pose, heading: wrapped(pose.heading + by) });
 }
 
-/** The ghost becomes a box of the scene, in one step, unless something is in the way. */
-export function confirm(state: State): State {
+/** The ghost becomes a box of the scene, in one step. */
+export function placed(state: State): State {
+  const { placing } = state;
   const ghost = ghostBox(state);
-  if (ghost === null || state.placing === null) return state;
-  const obstacle = ghostObstacle(state);
-  if (obstacle !== null) return refused(state, obstacleSentence(obstacle));
+  if (placing === null || ghost === null) return state;
   const box = { ...ghost, id: freeId("box", state.scene.boxes) };
-  const { asset } = state.placing;
+  const { asset } = placing;
   return {
     ...edited(state, withBox(state.scene, box), true),
     placing: null,
@@ -120,21 +118,6 @@ export function confirm(state: State): State {
     selection: { kind: "box", id: box.id },
     models: asset === null ? state.models : { ...state.models, [box.id]: asset },
   };
-}
-
-/** The ghost as a box; null while it stands nowhere. */
-export function ghostBox(state: State): BoxRecord | null {
-  const { placing } = state;
-  if (placing === null || placing.pose === null) return null;
-  const { category, size, item, pose } = placing;
-  const box = { id: GHOST, category, center: pose.center, size, heading: pose.heading };
-  return item === null ? { ...box, placed: true } : { ...box, placed: true, item };
-}
-
-/** What the ghost runs into: the view outlines it red, and it cannot be placed. */
-export function ghostObstacle(state: State): Obstacle | null {
-  const ghost = ghostBox(state);
-  return ghost === null ? null : obstacleOf(state.scene, ghost);
 }
 
 function placementOf(placing: Placing, rank: number) {
@@ -146,7 +129,8 @@ export function onAlternative(placing: Placing, rank: number): Placing {
   const placement = placementOf(placing, rank) ?? placing.answer?.placements[0];
   const pose =
     placement === undefined ? null : { center: placement.center, heading: placement.heading };
-  return { ...placing, pose, alternative: placement?.rank ?? 1, inspected: null };
+  const alternative = placement?.rank ?? 1;
+  return { ...placing, pose, alternative, inspected: null, inspectedPose: null };
 }
 
 function sizeOf(state: State, category: string, item: string | null): Vector3 {

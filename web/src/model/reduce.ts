@@ -1,6 +1,7 @@
 /** The only thing that makes a new state. */
 import type { SceneRecord } from "../net/protocol.gen";
-import { answered, inAnotherRoom, inspected } from "./answers";
+import { answered, askRefused, inAnotherRoom, inspected } from "./answers";
+import { confirm, followedUp, stopWaiting } from "./confirming";
 import {
   chooseTool,
   closeOutline,
@@ -24,7 +25,6 @@ import {
 import { edited, redo, undo } from "./history";
 import { notified } from "./notices";
 import {
-  confirm,
   dragGhost,
   nudgeGhost,
   place,
@@ -49,11 +49,12 @@ const BY_ITSELF: ReadonlySet<Action["type"]> = new Set([
   "models",
   "answer",
   "inspected",
+  "ask-refused",
   "graph",
 ] as const);
 
 export function reduce(state: State, action: Action): State {
-  const next = followed(state, changed(state, action));
+  const next = followedUp(state, followed(state, changed(state, action)));
   return next.welcome && !BY_ITSELF.has(action.type) ? { ...next, welcome: false } : next;
 }
 
@@ -113,6 +114,8 @@ function changed(state: State, action: Action): State {
       return dragGhost(state, action.pose);
     case "confirm":
       return confirm(state);
+    case "stop-waiting":
+      return stopWaiting(state);
     case "cancel":
       return cancel(state);
     case "set-camera":
@@ -144,7 +147,9 @@ function changed(state: State, action: Action): State {
     case "answer":
       return answered(state, action.answer, action.heatMaps);
     case "inspected":
-      return inspected(state, action.inspected);
+      return inspected(state, action.inspected, action.pose);
+    case "ask-refused":
+      return askRefused(state, action.text);
     case "graph":
       return graphed(state, action.graph);
   }
@@ -166,5 +171,5 @@ function followed(before: State, after: State): State {
     return inAnotherRoom({ ...after, selection, models: {}, graph: null, probe: null });
   }
   if (placing === null) return { ...after, selection };
-  return { ...after, selection, placing: { ...placing, computing: true } };
+  return { ...after, selection, placing: { ...placing, computing: placing.problem === null } };
 }

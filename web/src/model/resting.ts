@@ -1,18 +1,54 @@
 /** How high a thing stands or hangs where it is put. */
-import type { SceneRecord } from "../net/protocol.gen";
-import { footprint, topOf } from "./footprints";
-import { add, angleOf, direction, distance, isInside, nearestOn, scale } from "./geometry";
+import type { BoxRecord, SceneRecord } from "../net/protocol.gen";
+import { bottomOf, FLAT, floorPoint, footprint, headingOf, reach, topOf } from "./footprints";
+import {
+  add,
+  angleOf,
+  direction,
+  distance,
+  dot,
+  isInside,
+  leftOf,
+  nearestOn,
+  scale,
+  subtract,
+  wrapped,
+} from "./geometry";
 import type { Point, Pose, Vector3 } from "./state";
-import { nearestWall } from "./walls";
+import { nearestWall, type Wall, wallsOf } from "./walls";
 
 /** The usual height of the middle of what hangs, metres; HANGING_HEIGHT of scenegen_core. */
 const HANGING_HEIGHT: Readonly<Record<string, number>> = { Picture: 1.5, TV: 1.1 };
-/** Things that may stand on top of others, what may carry them, and how high that may be, metres. */
-const STANDS_ON_TOPS: readonly string[] = ["Decor", "TV"];
+/** What may carry other things, and how high that may be, metres. */
 const CARRIERS: readonly string[] = ["Storage", "Table"];
 const REACHABLE_TOP = 1.4;
 /** What hangs has its back this near to a wall, metres. */
 const ON_WALL = 0.25;
+/** What follows are the rules of scenegen_core/placement/mounts.py and feasible.py. */
+/** Undersides this near to what carries them rest on it, metres. */
+const RESTS = 0.05;
+/** What hangs may be turned this far from its wall, radians. */
+const HANGING_TURN = Math.PI / 16;
+/** A thing may stick out this far over what it stands on, metres. */
+const OVERHANG = 0.15;
+/** Decor up to this height stands on furniture as well as on the floor, metres. */
+const TOP_HEIGHT = 0.6;
+/** A taller TV has a foot of its own; a deeper one cannot hang, metres. */
+const FLOOR_TV = 1.0;
+const HANGING_DEPTH = 0.35;
+
+type Mount = "floor" | "wall" | "top";
+
+/** What a thing of that category and size can rest on. */
+function mounts(category: string, [depth, , height]: Vector3): readonly Mount[] {
+  if (category === "Picture") return ["wall"];
+  if (category === "TV") {
+    if (height > FLOOR_TV) return ["floor"];
+    return depth <= HANGING_DEPTH ? ["top", "wall"] : ["top"];
+  }
+  if (category === "Decor" && height > FLAT && height <= TOP_HEIGHT) return ["top", "floor"];
+  return ["floor"];
+}
 
 /**
  * Where a thing put down by hand over a point of the floor stands, its back to the nearest wall;
@@ -21,8 +57,8 @@ const ON_WALL = 0.25;
 export function poseAt(scene: SceneRecord, category: string, size: Vector3, view: Point): Pose {
   const wall = nearestWall(scene.room, view);
   const heading = wall === undefined ? 0 : angleOf(wall.inward);
-  const ground = groundAt(scene, category, view);
-  const hangs = HANGING_HEIGHT[category];
+  const ground = groundAt(scene, category, size, view);
+  const hangs = hangingHeight(category, size);
   if (hangs !== undefined && wall !== undefined && ground === 0) {
     const [x, y] = add(nearestOn(view, wall.segment), scale(direction(heading), size[0] / 2));
     return { center: [x, y, hangs], heading };
@@ -33,9 +69,51 @@ export function poseAt(scene: SceneRecord, category: string, size: Vector3, view
 /** The pose with the height that the thing has there: on the floor, on a top, or on its wall. */
 export function settled(scene: SceneRecord, category: string, size: Vector3, pose: Pose): Pose {
   const [x, y, z] = pose.center;
-  const standing = groundAt(scene, category, [x, y]) + size[2] / 2;
-  const hanging = category in HANGING_HEIGHT && isByWall(scene, size, pose);
-  return { ...pose, center: [x, y, hanging ? Math.max(z, standing) : standing] };
+  const ground = groundAt(scene, category, size, [x, y]);
+  const standing = ground + size[2] / 2;
+  const hangs = hangingHeight(category, size);
+  if (hangs === undefined || !isByWall(scene, size, pose)) {
+    return { ...pose, center: [x, y, standing] };
+  }
+  const fromFloor = ground === 0 && z - standing <= RESTS;
+  return { ...pose, center: [x, y, fromFloor ? Math.max(hangs, standing) : Math.max(z, standing)] };
+}
+
+/** Whether something that can carry it is under a box, or a wall behind what hangs. */
+export function restsOnSomething(scene: SceneRecord, box: BoxRecord): boolean {
+  return mounts(box.category, box.size).some((mount) => {
+    switch (mount) {
+      case "floor":
+        return Math.abs(bottomOf(box)) <= RESTS;
+      case "wall":
+        return bottomOf(box) > RESTS && wallsOf(scene.room).some((wall) => hangsOn(wall, box));
+      case "top":
+        return scene.boxes.some(
+          (other) =>
+            other.id !== box.id && CARRIERS.includes(other.category) && carries(other, box),
+        );
+    }
+  });
+}
+
+function hangsOn(wall: Wall, box: BoxRecord): boolean {
+  const from = subtract(floorPoint(box), wall.segment[0]);
+  const beside = dot(from, wall.along);
+  const turned = Math.abs(wrapped(headingOf(box) - angleOf(wall.inward)));
+  const gap = dot(from, wall.inward) - reach(box, wall.inward);
+  return beside >= 0 && beside <= wall.length && gap <= RESTS && turned <= HANGING_TURN;
+}
+
+function carries(carrier: BoxRecord, box: BoxRecord): boolean {
+  if (Math.abs(bottomOf(box) - topOf(carrier)) > RESTS) return false;
+  const ahead = direction(headingOf(carrier));
+  const isOver = (point: Point, over: number): boolean => {
+    const from = subtract(point, floorPoint(carrier));
+    const within = (axis: Point, side: number): boolean =>
+      Math.abs(dot(from, axis)) <= side / 2 + over;
+    return within(ahead, carrier.size[0]) && within(leftOf(ahead), carrier.size[1]);
+  };
+  return isOver(floorPoint(box), 0) && footprint(box).every((corner) => isOver(corner, OVERHANG));
 }
 
 /** The pose after a change of size: what stands stays standing, what hangs keeps its middle. */
@@ -46,12 +124,17 @@ export function resized(category: string, before: Vector3, after: Vector3, pose:
 }
 
 /** The height of what is under a point, metres: a top for what may stand on one, else the floor. */
-function groundAt(scene: SceneRecord, category: string, point: Point): number {
-  if (!STANDS_ON_TOPS.includes(category)) return 0;
+function groundAt(scene: SceneRecord, category: string, size: Vector3, point: Point): number {
+  if (!mounts(category, size).includes("top")) return 0;
   const tops = scene.boxes
     .filter((box) => CARRIERS.includes(box.category) && isInside(point, footprint(box)))
     .map(topOf);
   return Math.max(0, ...tops.filter((top) => top <= REACHABLE_TOP));
+}
+
+/** The usual height of the middle of a thing that can hang, metres. */
+function hangingHeight(category: string, size: Vector3): number | undefined {
+  return mounts(category, size).includes("wall") ? HANGING_HEIGHT[category] : undefined;
 }
 
 function isByWall(scene: SceneRecord, size: Vector3, { center, heading }: Pose): boolean {

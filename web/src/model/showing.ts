@@ -1,8 +1,15 @@
 /** What of the scene is shown, and how. */
-import type { Shown, State } from "./state";
+import type { HeatMap, Shown, State } from "./state";
+
+const NO_MAPS: readonly HeatMap[] = [];
 
 export function show(state: State, change: Partial<Shown>): State {
   return { ...state, shown: { ...state.shown, ...change } };
+}
+
+/** The heat maps to be seen: who places by hand finds the place without one. */
+export function shownMaps({ placing, shown }: State): readonly HeatMap[] {
+  return shown.heat && placing?.mode === "scenegen" ? placing.heatMaps : NO_MAPS;
 }
 
 export function toggleRelation(state: State, relation: string): State {

@@ -91,8 +91,13 @@ export interface Placing {
   readonly answer: Answer | null;
   /** By surface; those of a stale ask or revision never get here. */
   readonly heatMaps: readonly HeatMap[];
-  /** What the server says of the pose that the ghost was dragged to. */
+  /** What the server says of a pose that is none of the alternatives, and of which one. */
   readonly inspected: Inspected | null;
+  readonly inspectedPose: Pose | null;
+  /** To be placed here as soon as the server has said whether it may stand here. */
+  readonly confirming: boolean;
+  /** Why the server cannot answer this ask; null if it can. */
+  readonly problem: string | null;
 }
 
 export type ConnectionStatus = "connecting" | "online" | "offline";
@@ -103,6 +108,8 @@ export interface Connection {
   readonly revision: number;
   /** Edits that are not acknowledged yet. */
   readonly unsent: number;
+  /** What to do when the server has closed the connection for good; null while it may come back. */
+  readonly ended: string | null;
 }
 
 /** A sentence for the person: what happened, or what went wrong and what to do. */
@@ -209,6 +216,8 @@ export type Action =
   | { readonly type: "show-alternative"; readonly rank: number }
   | { readonly type: "drag-ghost"; readonly pose: Pose; readonly done: boolean }
   | { readonly type: "confirm" }
+  /** The server does not say in time whether the ghost may stand there. */
+  | { readonly type: "stop-waiting" }
   | { readonly type: "cancel" }
   // what is shown
   | { readonly type: "set-camera"; readonly camera: CameraMode }
@@ -226,7 +235,8 @@ export type Action =
   | { readonly type: "resumed"; readonly scene: SceneRecord }
   | { readonly type: "models"; readonly boxes: Readonly<Record<string, string>> }
   | { readonly type: "answer"; readonly answer: Answer; readonly heatMaps: readonly HeatMap[] }
-  | { readonly type: "inspected"; readonly inspected: Inspected }
+  | { readonly type: "inspected"; readonly inspected: Inspected; readonly pose: Pose }
+  | { readonly type: "ask-refused"; readonly text: string }
   | { readonly type: "graph"; readonly graph: Graph };
 
 export type { Placement };

@@ -19,14 +19,24 @@ import type {
   Answer,
   ClientMessage,
   HeatMapHeader,
+  Inspected,
   Problem,
   ServerMessage,
   Welcome,
 } from "./protocol.gen";
-import { askedOf, inspectionDone, NO_QUESTIONS } from "./questions";
+import { askedOf, inspectionDone, NO_QUESTIONS, poseInspected } from "./questions";
 
 /** What came too fast is sent again after this, milliseconds. */
 const PAUSE = 500;
+/** So long a confirmation waits for what the server says of the place, milliseconds. */
+const PATIENCE = 6000;
+/** Why the server closes a connection for good, by code, and what to do. */
+const ENDINGS: Readonly<Record<number, string>> = {
+  4400: "This page is older than the server. Reload it.",
+  4401: "The server could not understand this page. Reload it to go on.",
+  4402: "This room is open in another tab. Reload to take it back.",
+  4403: "Too many pages are open. Close some, then reload this one.",
+};
 
 export interface Ties {
   readonly store: Store;
@@ -53,6 +63,7 @@ export class Live implements Listener {
   #revision = 0;
   #welcomed = false;
   #heatMaps: readonly Arrived[] = [];
+  #patience: ReturnType<typeof setTimeout> | null = null;
 
   constructor(ties: Ties) {
     this.#ties = ties;
@@ -94,13 +105,14 @@ export class Live implements Listener {
     this.#connection("offline");
   }
 
-  refused(_code: number, reason: string): void {
+  refused(code: number, reason: string): void {
     this.lost();
-    this.#problem(reason || "The server closed the connection. Reload the page to go on.");
+    const ended = ENDINGS[code] ?? (reason || "The connection was closed. Reload the page.");
+    this.#ties.store.dispatch({ type: "connection", connection: { ended } });
   }
 
   #receive(message: ServerMessage): void {
-    const { dispatch, getState } = this.#ties.store;
+    const { dispatch } = this.#ties.store;
     switch (message.type) {
       case "welcome":
         this.#welcome(message);
@@ -115,9 +127,7 @@ export class Live implements Listener {
         this.#answer(message);
         break;
       case "inspected":
-        this.#questions = inspectionDone(this.#questions, message.id);
-        dispatch({ type: "inspected", inspected: message });
-        this.#update(getState());
+        this.#inspected(message);
         break;
       case "graph":
         dispatch({ type: "graph", graph: message });
@@ -172,9 +182,23 @@ export class Live implements Listener {
     this.#ties.store.dispatch({ type: "answer", answer, heatMaps });
   }
 
+  /** What came too late, when a newer answer had already made it worthless, is dropped. */
+  #inspected(message: Inspected): void {
+    const pose = poseInspected(this.#questions, message);
+    if (pose === null) return;
+    this.#questions = inspectionDone(this.#questions);
+    this.#ties.store.dispatch({ type: "inspected", inspected: message, pose });
+    this.#update(this.#ties.store.getState());
+  }
+
   #refusedOne({ code, text, seq }: Problem): void {
+    if (code === "bad_query") {
+      this.#questions = inspectionDone(this.#questions);
+      this.#ties.store.dispatch({ type: "ask-refused", text });
+      return;
+    }
     if (seq === null) {
-      this.#questions = { ...this.#questions, inspecting: null };
+      this.#questions = inspectionDone(this.#questions);
     } else if (code === "too_fast") {
       setTimeout(() => {
         this.#outbox = forgotten(this.#outbox, seq);
@@ -190,6 +214,7 @@ export class Live implements Listener {
 
   /** Sends what the server lacks of this state. */
   #update(state: State): void {
+    this.#waitFor(state.placing?.confirming ?? false);
     if (this.#welcomed) {
       const { outbox, edits } = advance(this.#outbox, state.scene);
       const { questions, messages } = askedOf(this.#questions, state);
@@ -198,6 +223,18 @@ export class Live implements Listener {
       for (const message of [...edits, ...messages]) this.#ties.send(message);
     }
     this.#connection(state.connection.status);
+  }
+
+  /** A confirmation does not wait for ever. */
+  #waitFor(confirming: boolean): void {
+    if (!confirming) {
+      clearTimeout(this.#patience ?? undefined);
+      this.#patience = null;
+    } else {
+      this.#patience ??= setTimeout(() => {
+        this.#ties.store.dispatch({ type: "stop-waiting" });
+      }, PATIENCE);
+    }
   }
 
   #connection(status: State["connection"]["status"]): void {

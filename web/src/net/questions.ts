@@ -3,7 +3,7 @@
  * ghost was dragged to (one at a time, the newest wins), and whether the graph is watched.
  */
 import type { Placing, Pose, State } from "../model/state";
-import type { Answer, Ask, Inspect, Query, WatchGraph } from "./protocol.gen";
+import type { Answer, Ask, Inspect, Inspected, Query, WatchGraph } from "./protocol.gen";
 
 export type Question = Ask | Inspect | WatchGraph;
 
@@ -60,21 +60,27 @@ export function askedOf(questions: Questions, state: State): Asked {
   return { questions: next, messages };
 }
 
-/** That inspection is answered: the next pose may be asked about. */
-export function inspectionDone(questions: Questions, id: string): Questions {
-  return questions.inspecting === id ? { ...questions, inspecting: null } : questions;
+/** The pose that an inspection is about; null if it is no longer waited for. */
+export function poseInspected(questions: Questions, { id }: Inspected): Pose | null {
+  return questions.inspecting === id ? questions.pose : null;
+}
+
+/** The inspection that was on its way is over: the next pose may be asked about. */
+export function inspectionDone(questions: Questions): Questions {
+  return { ...questions, inspecting: null };
 }
 
 /**
- * By hand, nothing is told of the place; else what the person has dragged is judged. A newer answer
- * makes an inspection that is on its way worthless, so it is not waited for.
+ * Whoever put the ghost where no alternative stands, may it stand there? A newer answer makes an
+ * inspection that is on its way worthless, so it is not waited for.
  */
 function isToInspect(
   questions: Questions,
   placing: Placing,
 ): placing is Placing & { readonly pose: Pose } {
-  const dragged = placing.mode === "scenegen" && placing.alternative === null;
-  if (!dragged || placing.pose === null) return false;
+  const { alternative, pose, answer, ask, computing } = placing;
+  const known = answer?.ask === ask && !computing;
+  if (alternative !== null || pose === null || !known) return false;
   if (placing.answer !== questions.against) return true;
   return questions.inspecting === null && placing.pose !== questions.pose;
 }

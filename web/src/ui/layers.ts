@@ -1,6 +1,7 @@
 /** What is shown over the room: the map, its legend, the graph, the names. */
 import { html, nothing, type TemplateResult } from "lit";
 import { relationLook } from "../model/relation_looks";
+import { shownMaps } from "../model/showing";
 import type { HeatMap, Layer, State } from "../model/state";
 import { toolButton } from "./controls";
 import type { IconName } from "./icons";
@@ -44,8 +45,8 @@ function toggles({ state, dispatch }: Page): TemplateResult {
 
 /** The colors of the map in words, and how strongly they cover the floor. */
 function legend({ state, dispatch }: Page): TemplateResult | typeof nothing {
-  const map = state.placing?.heatMaps[0];
-  if (map === undefined || !state.shown.heat) return nothing;
+  const map = shownMaps(state)[0];
+  if (map === undefined) return nothing;
   return html`<div class="legend">
     <div class="scale" aria-hidden="true"></div>
     <p class="ends"><span>unlikely</span><span>likely</span></p>

@@ -1,7 +1,7 @@
 /** What dragging the body of a thing does: boxes, the ghost, doors and windows. Pure; core frame. */
 import { bottomOf, floorPoint, headingOf, movedTo } from "../model/footprints";
 import { add, roundedPoint, type Segment, subtract } from "../model/geometry";
-import { ghostBox } from "../model/placing";
+import { ghostBox } from "../model/ghost";
 import { settled } from "../model/resting";
 import { snapBox } from "../model/snapping";
 import type { Action, Point, State } from "../model/state";

@@ -1,5 +1,5 @@
 import { Group, type Material, MeshStandardMaterial } from "three";
-import { ghostBox, ghostObstacle } from "../model/placing";
+import { ghostBox, shownRefusal } from "../model/ghost";
 import type { Placing, State } from "../model/state";
 import type { BoxRecord } from "../net/protocol.gen";
 import { FloorArrow } from "./arrow";
@@ -46,7 +46,7 @@ export class GhostView implements Part {
     }
     this.#glide.to(placing.pose, placing.alternative === null);
     this.#box = ghostBox(state);
-    const color = mayStand(state) ? ACCENT : FORBIDDEN;
+    const color = shownRefusal(state) === null ? ACCENT : FORBIDDEN;
     this.#arrow.material.color.set(color);
     if (this.#box) {
       this.#lines.show(this.#box, { color, width: 1.8, dashed: false, fill: 0.2 });
@@ -114,9 +114,4 @@ export class GhostView implements Part {
       (floor < 0.3 ? 0 : floor) + ABOVE_FLOOR,
     );
   }
-}
-
-/** Whether the ghost may stand where it is, as far as the page and the server know. */
-function mayStand(state: State): boolean {
-  return ghostObstacle(state) === null && state.placing?.inspected?.allowed !== false;
 }

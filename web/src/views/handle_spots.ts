@@ -12,7 +12,7 @@ import {
   subtract,
   wrapped,
 } from "../model/geometry";
-import { GHOST, ghostBox } from "../model/placing";
+import { GHOST, ghostBox } from "../model/ghost";
 import { snapPoint } from "../model/snapping";
 import type { Action, Draft, Point, State, Vector3 } from "../model/state";
 import type { BoxRecord, OpeningRecord } from "../net/protocol.gen";

@@ -10,7 +10,7 @@ import {
   Vector3,
 } from "three";
 import { bottomOf } from "../model/footprints";
-import { GHOST, ghostBox } from "../model/placing";
+import { GHOST, ghostBox } from "../model/ghost";
 import type { State } from "../model/state";
 import type { BoxRecord } from "../net/protocol.gen";
 import { type Spot, spotsOf, TURN_GAP } from "./handle_spots";

@@ -10,6 +10,7 @@ import {
   UnsignedByteType,
   Vector2,
 } from "three";
+import { shownMaps } from "../model/showing";
 import type { HeatMap, State } from "../model/state";
 import type { BoxRecord, RoomRecord } from "../net/protocol.gen";
 import { cividisTexture } from "./cividis";
@@ -20,7 +21,6 @@ import type { Eye, Part } from "./part";
 
 const WASH = 9; // metres a second that the map spreads over the room
 const SHIMMER = 0.25; // seconds until the shimmer is there or gone
-const NONE: readonly HeatMap[] = [];
 const FAR = 1000; // metres; beyond every room
 const EDGE = 0.6; // metres over which the edge of the wash fades, as in the shader
 
@@ -34,7 +34,7 @@ export class HeatView implements Part {
   readonly root = new Group();
   readonly #colors = cividisTexture();
   #sheets: Sheet[] = [];
-  #maps = NONE;
+  #maps: readonly HeatMap[] = [];
   #room: RoomRecord | null = null;
   #boxes: readonly BoxRecord[] = [];
   #computing = false;
@@ -50,8 +50,8 @@ export class HeatView implements Part {
 
   show(state: State): void {
     const { placing, scene, shown } = state;
-    const maps = placing?.heatMaps ?? NONE;
-    const visible = shown.heat && maps.length > 0;
+    const maps = shownMaps(state);
+    const visible = maps.length > 0;
     if (visible && !this.root.visible) {
       this.#front = reducedMotion() ? FAR : 0;
     }

@@ -1,7 +1,8 @@
 /** What a pointer points at. Pure; core frame. */
 import { topOf } from "../model/footprints";
 import { distance, nearestOn } from "../model/geometry";
-import { ghostBox } from "../model/placing";
+import { ghostBox } from "../model/ghost";
+import { shownMaps } from "../model/showing";
 import type { HeatMap, Point, Probe, State, Vector3 } from "../model/state";
 import type { BoxRecord, OpeningRecord } from "../net/protocol.gen";
 import { hangs, turnedTo } from "./hanging";
@@ -90,8 +91,7 @@ function openingAt(state: State, ray: Ray): Target | null {
 
 /** The value of the heat map under the ray; null where no map lies. */
 export function probeAt(state: State, ray: Ray): Probe | null {
-  const maps = state.shown.heat ? (state.placing?.heatMaps ?? []) : [];
-  for (const map of maps) {
+  for (const map of shownMaps(state)) {
     const probe = probeMap(state, ray, map);
     if (probe) {
       return probe;
