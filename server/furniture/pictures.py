@@ -16,7 +16,7 @@ from server.furniture.materials import COTTON, GRAPHITE, MIRROR, OAK, PAINT, SCR
 from server.furniture.mesh import Mesh
 from server.furniture.parts import Span, block, polygon
 
-FOOT = 0.07  # metres; the least depth on which a screen can stand
+FOOT = 0.15  # metres; the least depth on which a screen can stand: thinner ones hang as well
 PALETTES = tuple(
     tuple(linear(color) for color in colors)
     for colors in (
