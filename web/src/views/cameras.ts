@@ -51,14 +51,10 @@ export class Cameras {
   }
 
   get active(): PerspectiveCamera | OrthographicCamera {
-    switch (this.#mode) {
-      case "orbit":
-        return this.#orbitCamera;
-      case "top":
-        return this.#planCamera;
-      case "walk":
-        return this.#walkCamera;
+    if (this.#mode === "top") {
+      return this.#planCamera;
     }
+    return this.#mode === "walk" ? this.#walkCamera : this.#orbitCamera;
   }
 
   show(state: State): void {
