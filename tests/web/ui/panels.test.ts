@@ -3,7 +3,7 @@ import type { State } from "../../../web/src/model/state";
 import type { Reason } from "../../../web/src/net/protocol.gen";
 import { connectionInWords } from "../../../web/src/ui/header";
 import { hint } from "../../../web/src/ui/hints";
-import { placePanel } from "../../../web/src/ui/place";
+import { decision, placePanel } from "../../../web/src/ui/place";
 import { reasonsPanel } from "../../../web/src/ui/reasons";
 import { selectionPanel } from "../../../web/src/ui/selection";
 import { situation } from "../../../web/src/ui/situation";
@@ -102,7 +102,7 @@ describe("the reasons", () => {
     expect(words).toContain("2 known rooms that speak for it Flat 3 Flat 7");
   });
 
-  test("say why not where it may not stand", () => {
+  test("give way to why not, at the button, where it may not stand", () => {
     const dragged = play(state, {
       type: "drag-ghost",
       pose: { center: [1, 1, 0.4], heading: 0 },
@@ -123,7 +123,10 @@ describe("the reasons", () => {
         reasons: [],
       },
     });
-    expect(wordsOf(reasonsPanel(sitDown(inspected).page))).toBe("Why not here It blocks the door.");
+    const { page } = sitDown(inspected);
+    expect(wordsOf(reasonsPanel(page))).toBe("");
+    expect(wordsOf(decision(page))).toContain("It blocks the door");
+    expect(hint(inspected)).toBe("Drag it to where it can stand.");
   });
 });
 

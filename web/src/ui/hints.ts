@@ -1,4 +1,5 @@
 /** One plain sentence saying what to do next. */
+import { shownRefusal } from "../model/ghost";
 import type { Draft, State } from "../model/state";
 
 const FIRST_CORNER = "Mark the first corner of the room.";
@@ -7,6 +8,7 @@ const FIRST_CORNER = "Mark the first corner of the room.";
 export function hint(state: State): string | null {
   if (state.placing !== null) {
     if (state.placing.pose === null) return null;
+    if (shownRefusal(state) !== null) return "Drag it to where it can stand.";
     return "Drag it anywhere, or place it here.";
   }
   if (state.draft !== null) return draftHint(state.draft);

@@ -9,9 +9,8 @@ import { counted, ended, likelihoodInWords, reasonInWords, signed } from "./word
 /** Bars shown at once; the rest waits behind a click. */
 const SHOWN = 4;
 
-/** What is said of where the ghost stands now. */
+/** What speaks for where the ghost stands now; why it may not stand there is said at the button. */
 interface Verdict {
-  readonly title: string;
   readonly sentence: string;
   readonly score: number | null;
   readonly likelihood: number | null;
@@ -23,7 +22,7 @@ export function reasonsPanel({ state }: Page): TemplateResult | typeof nothing {
   const verdict = state.placing === null ? null : verdictOf(state.placing);
   if (verdict === null) return nothing;
   return section(
-    verdict.title,
+    "Why here",
     html`
       <p class="why">
         ${ended(verdict.sentence)}
@@ -35,14 +34,12 @@ export function reasonsPanel({ state }: Page): TemplateResult | typeof nothing {
   );
 }
 
-/** The chosen alternative's reasons, or those of the pose the ghost was dragged to. */
+/** Of the chosen alternative, or of the pose the ghost was dragged to; null where it may not stand. */
 export function verdictOf(placing: Placing): Verdict | null {
   const chosen = placing.answer?.placements.find(({ rank }) => rank === placing.alternative);
-  if (chosen !== undefined) return { title: "Why here", ...chosen };
+  if (chosen !== undefined) return chosen;
   const { inspected } = placing;
-  if (inspected === null) return null;
-  const title = inspected.allowed ? "Why here" : "Why not here";
-  return { title, ...inspected, rooms: [] };
+  return inspected?.allowed === true ? { ...inspected, rooms: [] } : null;
 }
 
 /** Strongest first, whether they speak for or against. */

@@ -1,5 +1,6 @@
 /** The first minute: one sentence and one button, then three doors. */
 import { html, nothing, type TemplateResult } from "lit";
+import { shownRefusal } from "../model/ghost";
 import { button, iconButton, toolButton } from "./controls";
 import type { Page } from "./page";
 import { start } from "./place";
@@ -41,17 +42,17 @@ function invitation(page: Page): TemplateResult {
 
 function settling(page: Page): TemplateResult {
   const { placing } = page.state;
-  const verdict = placing === null ? null : verdictOf(placing);
-  if (placing === null || verdict === null) {
-    const none = placing?.answer?.no_good_place;
-    return card(page, html`<p>${none ? none.text : "Looking round the room…"}</p>`);
+  const sentence = placing === null ? null : verdictOf(placing)?.sentence;
+  const problem = shownRefusal(page.state) ?? placing?.answer?.no_good_place?.text;
+  if (placing === null || !sentence) {
+    return card(page, html`<p>${problem ?? "Looking round the room…"}</p>`);
   }
   const places = placing.answer?.placements ?? [];
   const at = places.findIndex(({ rank }) => rank === placing.alternative);
   const next = places[(at + 1) % places.length];
   return card(
     page,
-    html`<p>${ended(verdict.sentence)}</p>
+    html`<p>${ended(sentence)}</p>
       <div class="row">
         ${button({ icon: "check", label: "Keep it here", run: () => page.dispatch({ type: "confirm" }) }, "primary")}
         ${
