@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
-from scenegen_core.datasets import quest, roomplan, rows, scene_file, sweethome3d
+from scenegen_core.datasets import mruk, quest, roomplan, rows, scene_file, sweethome3d
 from scenegen_core.datasets.contents import Head
 from scenegen_core.datasets.remarks import Report, Skipped, log
 from scenegen_core.errors import DataError, SceneGenError
@@ -30,6 +30,7 @@ FORMATS = (
     Format("scene", "a scene file", scene_file.recognizes, scene_file.read_scenes),
     Format("rows", "rows of rooms", rows.recognizes, rows.read_scenes),
     Format("quest", "a capture of a Quest headset", quest.recognizes, quest.read_scenes),
+    Format("mruk", "a scene of MR Utility Kit", mruk.recognizes, mruk.read_scenes),
     Format("roomplan", "a RoomPlan scan", roomplan.recognizes, roomplan.read_scenes),
     Format(
         "sweethome3d", "a home of Sweet Home 3D", sweethome3d.recognizes, sweethome3d.read_scenes

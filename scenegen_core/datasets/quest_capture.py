@@ -14,6 +14,7 @@ import numpy as np
 from msgspec import Struct
 from scipy.spatial.transform import Rotation
 
+from scenegen_core.datasets.headset import Block, Panel
 from scenegen_core.errors import DataError
 from scenegen_core.scene.frames import Floats, to_core
 from scenegen_core.scene.model import Point
@@ -81,17 +82,43 @@ def floor_of(entities: tuple[Entity, ...]) -> float:
     return heights[0]
 
 
-def extent_of(entity: Entity) -> Extent:
-    """The size of a plane or a volume; DataError if it is neither."""
-    bounds = entity.plane or entity.volume
-    if bounds is None:
-        raise DataError(f"A {entity.label} of the capture has no size; scan the room again.")
-    return bounds.extent
+def panel_of(entity: Entity) -> Panel:
+    """An entity that is an upright plane; DataError if it is none."""
+    plane = entity.plane
+    if plane is None:
+        raise DataError(f"This {entity.label} of the capture is no plane; scan the room again.")
+    left, width, height = plane.offset.x, plane.extent.width, plane.extent.height
+    ends = _placed(entity, np.array([[left, 0.0, 0.0], [left + width, 0.0, 0.0]]))
+    middle = entity.pose.position.y
+    return Panel(
+        label=entity.label,
+        start=_point(ends[0]),
+        end=_point(ends[1]),
+        bottom=middle - height / 2,
+        top=middle + height / 2,
+        heading=_heading(entity),
+    )
 
 
-def placed(entity: Entity, local: Floats) -> Floats:
+def block_of(entity: Entity) -> Block:
+    """An entity that is a volume; DataError if it is none."""
+    volume = entity.volume
+    if volume is None:
+        raise DataError(f"This {entity.label} of the capture is no box; scan the room again.")
+    extent = volume.extent
+    size = np.array([extent.width, extent.height, extent.depth])
+    x, y, z = (float(value) for value in _placed(entity, _vector(volume.offset) + size / 2))
+    return Block(
+        label=entity.label,
+        center=(x, y, z),
+        size=(extent.height, extent.width, extent.depth),
+        heading=_heading(entity),
+    )
+
+
+def _placed(entity: Entity, local: Floats) -> Floats:
     """Points (…, 3) of the entity's own frame in the core frame, floor not yet at 0."""
-    return to_core(_turn(entity).apply(local) + vector_of(entity.pose.position))
+    return to_core(_turn(entity).apply(local) + _vector(entity.pose.position))
 
 
 def _turn(entity: Entity) -> Rotation:
@@ -99,26 +126,17 @@ def _turn(entity: Entity) -> Rotation:
     return Rotation.from_quat([turn.x, turn.y, turn.z, turn.w])
 
 
-def vector_of(value: XYZ) -> Floats:
+def _vector(value: XYZ) -> Floats:
     """The same as an array (3,)."""
     return np.array([value.x, value.y, value.z])
 
 
-def heading_of(entity: Entity, front: tuple[int, int, int]) -> float:
-    """The heading of a direction of the entity's own frame, radians."""
-    x, y, _ = to_core(_turn(entity).apply(np.array(front, dtype=float)))
+def _heading(entity: Entity) -> float:
+    """Where an entity looks: along its own −y, radians."""
+    x, y, _ = to_core(_turn(entity).apply(np.array([0.0, -1.0, 0.0])))
     return atan2(y, x)
 
 
-def segment_of(entity: Entity) -> tuple[Point, Point]:
-    """The two ends of a wall, door or window seen from above."""
-    if entity.plane is None:
-        raise DataError(f"A {entity.label} of the capture is not a plane; scan the room again.")
-    left, width = entity.plane.offset.x, entity.plane.extent.width
-    ends = placed(entity, np.array([[left, 0.0, 0.0], [left + width, 0.0, 0.0]]))
-    return point_of(ends[0]), point_of(ends[1])
-
-
-def point_of(position: Floats) -> Point:
-    """The plan of a position (2 or 3,), to a tenth of a millimetre."""
+def _point(position: Floats) -> Point:
+    """The plan of a position (3,), to a tenth of a millimetre."""
     return round(float(position[0]), 4), round(float(position[1]), 4)
