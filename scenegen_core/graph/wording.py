@@ -11,13 +11,16 @@ CORNER = 2  # walls; whoever is near two or more is near a corner (paper, RoomPo
 TOUCHING = 0.05  # metres; a distance that is shown as none
 LONG = 0.95  # metres; from here on lengths are told in metres ("1.0 m"), below in centimetres
 
+WORDS = re.compile(r"(?<=[a-z])(?=[A-Z])|(?<=[A-Z])(?=[A-Z][a-z]{2})")
+"""Where the words of CoffeeTable and TVStand part."""
+
 SINGULAR = {"Decor": "decor piece", "Storage": "storage piece", "Other": "other thing"}
 """Categories whose name is no word for one thing."""
 
 
 def noun(name: str) -> str:
     """One thing of a category, or of a label, within a sentence: TV unit, storage piece."""
-    spaced = re.sub(r"(?<=[a-z])(?=[A-Z])", " ", SINGULAR.get(name, name)).replace("_", " ")
+    spaced = WORDS.sub(" ", SINGULAR.get(name, name)).replace("_", " ")
     return " ".join(word if word.isupper() else word.lower() for word in spaced.split())
 
 

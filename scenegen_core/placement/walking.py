@@ -15,7 +15,7 @@ from scipy import ndimage
 from scenegen_core.graph.surroundings import Surroundings
 from scenegen_core.graph.wording import spoken
 from scenegen_core.placement.mounts import RUG_HEIGHT
-from scenegen_core.placement.proposals import CELL, floor_points
+from scenegen_core.placement.proposals import CELL, TIE, floor_points
 from scenegen_core.scene.geometry import (
     Bools,
     Floats,
@@ -59,7 +59,7 @@ class Walking:
         """Cells where the walker touches neither wall nor box: (cells,)."""
         off_walls = distances_to_segments(self._points, self.around.walls).min(axis=1)
         doorway = self._in_doorways(WALKER / 2)
-        free = (off_walls >= WALKER / 2 - CELL / 2) | doorway
+        free = (off_walls >= WALKER / 2 - CELL / 2 - TIE) | doorway
         boxes = self.around.scene.boxes
         solid = np.array([_is_obstacle(box) for box in boxes], dtype=bool)
         taken = self._near(self.around.footprints[solid], WALKER / 2 - CELL / 2)
@@ -123,7 +123,7 @@ class Walking:
     def _door_cells(self, index: int) -> Ints:
         door = self.around.scene.room.doors[index]
         segment = np.array([[door.start, door.end]], dtype=float)
-        near = distances_to_segments(self._points, segment)[:, 0] <= WALKER
+        near = distances_to_segments(self._points, segment)[:, 0] <= WALKER + TIE
         return np.flatnonzero(near)
 
     def _in_doorways(self, reach: float) -> Bools:
@@ -132,10 +132,10 @@ class Walking:
             return np.zeros(len(self._points), dtype=np.bool_)
         middles = np.array([np.mean([door.start, door.end], axis=0) for door in doors])
         offset = np.hypot(*(self._points[:, None] - middles[None]).transpose(2, 0, 1))
-        return np.asarray((offset <= reach).any(axis=1), dtype=np.bool_)
+        return np.asarray((offset <= reach + TIE).any(axis=1), dtype=np.bool_)
 
     def _near(self, shapes: Rectangles, reach: float) -> Bools:
-        """Cells nearer than ``reach`` to one of the shapes: (cells,)."""
+        """Cells nearer than ``reach`` to one of the shapes, ties left out: (cells,)."""
         if not len(shapes):
             return np.zeros(len(self._points), dtype=np.bool_)
         distances = distances_to_rectangles(self._points, shapes)

@@ -10,7 +10,7 @@ import shapely
 from scenegen_core.graph.situation import Situation
 from scenegen_core.graph.wording import metres, spoken
 from scenegen_core.placement.mounts import SUPPORTS
-from scenegen_core.placement.proposals import inward
+from scenegen_core.placement.proposals import TIE, inward
 from scenegen_core.scene.geometry import Floats, directions, gaps, walls_as_rectangles
 from scenegen_core.scene.model import Box, Category, Symmetry
 
@@ -59,7 +59,7 @@ def _place(situation: Situation) -> str:
         behind = np.cos(outward - situation.candidates.headings[0])
         back = np.where(near < AGAINST, behind, np.inf).argmin()
         return f"on the {compass(float(outward[back]))} wall" if near[back] < AGAINST else "hanging"
-    nearest = compass(float(outward[near.argmin()]))
+    nearest = compass(float(outward[(near <= near.min() + TIE).argmax()]))
     window = _by_window(situation)
     if near.min() < AGAINST:
         corner = _corner(walls, near)
