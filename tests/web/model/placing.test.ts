@@ -1,5 +1,5 @@
 import { describe, expect, test } from "vitest";
-import { ghostObstacle } from "../../../web/src/model/placing";
+import { refusalOf } from "../../../web/src/model/ghost";
 import type { Action, HeatMap, State } from "../../../web/src/model/state";
 import type { Inspected } from "../../../web/src/net/protocol.gen";
 import { answer, begin, box, placement, play } from "../rooms";
@@ -139,7 +139,8 @@ describe("SceneGen", () => {
       sentence: "In the middle of the room.",
       reasons: [],
     };
-    const said: Action = { type: "inspected", inspected };
+    const pose = { center: [3, 2, 0.4], heading: 0 } as const;
+    const said: Action = { type: "inspected", inspected, pose };
     const dragged = play(offered, dragTo(3, 2), said);
     expect(dragged.placing?.inspected).toBe(inspected);
     expect(play(offered, said).placing?.inspected).toBeNull();
@@ -292,7 +293,7 @@ describe("confirming", () => {
   test("it is refused where it would stand in a table, and the sentence says so", () => {
     const table = box("table", { center: [3, 2, 0.4] });
     const blocked = play(offered, { type: "edit-box", box: table, done: true }, dragTo(3, 2));
-    expect(ghostObstacle(blocked)).toEqual({ kind: "box", box: table });
+    expect(refusalOf(blocked)).toBe("It would stand in the table.");
     const refused = play(blocked, { type: "confirm" });
     expect(refused.placing).not.toBeNull();
     expect(refused.notice?.text).toBe("It would stand in the table.");
@@ -308,14 +309,17 @@ describe("confirming", () => {
 
   test("it is refused in the wall", () => {
     const refused = play(offered, dragTo(0.1, 2), { type: "confirm" });
-    expect(refused.notice?.text).toBe("It would stand in the wall.");
+    expect(refused.notice?.text).toBe("It would stick through a wall or out of the room.");
   });
 
-  test("a chair may stand under a table", () => {
-    const table = box("table", { center: [3, 2, 0.4] });
-    const chair = place({ mode: "manual", category: "Chair", size: [0.5, 0.5, 0.9], view: [3, 2] });
-    const confirmed = play(begin([table]), chair, { type: "confirm" });
-    expect(confirmed.scene.boxes).toHaveLength(2);
+  test("a chair may stand under the edge of a table, not in its middle", () => {
+    const table = box("table", { center: [3, 2, 0.4], size: [1, 1.2, 0.75] });
+    const chair = (x: number): Action =>
+      place({ mode: "manual", category: "Chair", size: [0.5, 0.5, 0.9], view: [x, 2] });
+    const tucked = play(begin([table]), chair(2.45), { type: "confirm" }); // 0.2 m under it
+    expect(tucked.scene.boxes).toHaveLength(2);
+    const within = play(begin([table]), chair(3), { type: "confirm" });
+    expect(within.notice?.text).toBe("It would stand in the table.");
   });
 
   test("a picture may hang above a sofa", () => {
@@ -326,7 +330,7 @@ describe("confirming", () => {
       heading: Math.PI / 2,
     });
     const picture = place({ mode: "manual", category: "Picture", size: [0.04, 0.8, 0.6] });
-    expect(ghostObstacle(play(begin([sofa]), picture))).toBeNull();
+    expect(refusalOf(play(begin([sofa]), picture))).toBeNull();
   });
 
   test("a wardrobe higher than the room is refused", () => {

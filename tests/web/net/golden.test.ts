@@ -7,6 +7,7 @@ import type {
   ClientMessage,
   FrameHeader,
   HeatMapHeader,
+  Inspected,
   ServerMessage,
 } from "../../../web/src/net/protocol.gen";
 import { createStore } from "../../../web/src/store";
@@ -54,9 +55,14 @@ function page() {
     remember: () => undefined,
   });
   const hear = (type: ServerMessage["type"]): void => live.text(JSON.stringify(golden(type)));
+  const settled = (): void => {
+    const { revision } = golden<Answer>("answer");
+    live.text(JSON.stringify({ type: "ack", seq: 1, revision }));
+    hear("answer");
+  };
   live.opened();
   hear("welcome");
-  return { store, assets, sent, live, hear };
+  return { store, assets, sent, live, hear, settled };
 }
 
 describe("what the page understands", () => {
@@ -85,12 +91,14 @@ describe("what the page understands", () => {
   });
 
   test("the golden inspection of a dragged ghost", () => {
-    const { store, hear } = page();
-    hear("answer");
+    const { store, live, sent, settled } = page();
+    settled();
     const pose = { center: [2, 2, 0.4], heading: 0 } as const;
     store.dispatch({ type: "drag-ghost", pose, done: true });
-    hear("inspected");
-    expect(store.getState().placing?.inspected).toEqual(golden("inspected"));
+    const id = sent.findLast((message) => message.type === "inspect")?.id;
+    const said = { ...golden<Inspected>("inspected"), id };
+    live.text(JSON.stringify(said));
+    expect(store.getState().placing?.inspected).toEqual(said);
   });
 
   test("the golden asset, graph and problem", () => {
@@ -106,8 +114,8 @@ describe("what the page understands", () => {
 });
 
 describe("what the page says", () => {
-  const { store, sent, hear } = page();
-  hear("answer");
+  const { store, sent, settled } = page();
+  settled();
   store.dispatch({
     type: "drag-ghost",
     pose: { center: [2, 2, 0.4], heading: 0 },

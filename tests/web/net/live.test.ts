@@ -249,11 +249,105 @@ describe("models", () => {
   });
 });
 
-test("a connection closed for good shows the server's sentence", () => {
-  const { socket, store, sockets } = online();
-  socket.drops(4402, "This room was opened on another device.");
-  expect(store.getState().notice?.text).toBe("This room was opened on another device.");
-  vi.advanceTimersByTime(60_000);
-  expect(sockets).toHaveLength(1);
-  expect(store.getState().connection.status).toBe("offline");
+test("a query that the server refuses ends the computing and says why", () => {
+  const { socket, store } = online();
+  store.dispatch({ type: "place", ...place });
+  socket.says(problem({ code: "bad_query", text: "A sofa cannot be 90 m. Make it smaller." }));
+  expect(store.getState().placing).toMatchObject({
+    computing: false,
+    problem: "A sofa cannot be 90 m. Make it smaller.",
+  });
+  expect(store.getState().notice).toBeNull();
+  store.dispatch({ type: "set-size", size: [0.9, 2, 0.8] });
+  expect(store.getState().placing).toMatchObject({ computing: true, problem: null });
+});
+
+describe("placing it here", () => {
+  /** By hand in the free half of the room; the server holds it all as revision 1. */
+  function byHand() {
+    const started = online();
+    const { socket, store } = started;
+    store.dispatch({ type: "place", ...place, mode: "manual", view: [2.5, 3.4] });
+    const ask = socket.of("ask")[0]?.id ?? "";
+    const says = (allowed: boolean, sentence: string): void =>
+      socket.says({
+        type: "inspected",
+        id: socket.of("inspect").at(-1)?.id ?? "",
+        ask,
+        revision: 1,
+        allowed,
+        score: null,
+        likelihood: null,
+        sentence,
+        reasons: [],
+      });
+    return { ...started, ask, says, boxes: () => store.getState().scene.boxes.length };
+  }
+
+  test("waits for the server's word, and is done when it says yes", () => {
+    const { socket, store, ask, says, boxes } = byHand();
+    store.dispatch({ type: "confirm" });
+    expect(store.getState().placing?.confirming).toBe(true);
+    socket.says(answer(ask, 1));
+    expect(boxes()).toBe(1);
+    says(true, "In the middle of the room.");
+    expect(boxes()).toBe(2);
+    expect(store.getState().placing).toBeNull();
+  });
+
+  test("is refused in the server's words when it says no, then and for that pose ever after", () => {
+    const { socket, store, ask, says, boxes } = byHand();
+    socket.says(answer(ask, 1));
+    store.dispatch({ type: "confirm" });
+    says(false, "It would close the way to the bed.");
+    expect(store.getState().notice?.text).toBe("It would close the way to the bed.");
+    store.dispatch({ type: "dismiss-notice" });
+    store.dispatch({ type: "confirm" });
+    expect(store.getState().notice?.text).toBe("It would close the way to the bed.");
+    expect(boxes()).toBe(1);
+  });
+
+  test("is not done when the ghost was moved on before the word came", () => {
+    const { socket, store, ask, says, boxes } = byHand();
+    socket.says(answer(ask, 1));
+    store.dispatch({ type: "confirm" });
+    store.dispatch({ type: "nudge", by: [0.05, 0] });
+    says(true, "In the middle of the room.");
+    expect(boxes()).toBe(1);
+    expect(store.getState().placing?.confirming).toBe(false);
+  });
+
+  test("does not wait for ever: in the end the page's own check decides", () => {
+    const { socket, store, ask, boxes } = byHand();
+    socket.says(answer(ask, 1));
+    store.dispatch({ type: "confirm" });
+    vi.advanceTimersByTime(60_000);
+    expect(boxes()).toBe(2);
+  });
+
+  test("offline, and when the connection goes meanwhile, the page's own check decides", () => {
+    const { socket, store, boxes } = byHand();
+    store.dispatch({ type: "confirm" });
+    socket.drops();
+    expect(boxes()).toBe(2);
+    store.dispatch({ type: "place", ...place, mode: "manual", view: [2.5, 2] });
+    store.dispatch({ type: "confirm" });
+    expect(store.getState().notice?.text).toMatch(/^It would stand in/);
+    expect(boxes()).toBe(2);
+  });
+});
+
+describe("a connection closed for good", () => {
+  test.each([
+    [4400, "This page is older than the server. Reload it."],
+    [4401, "The server could not understand this page. Reload it to go on."],
+    [4402, "This room is open in another tab. Reload to take it back."],
+    [4403, "Too many pages are open. Close some, then reload this one."],
+  ])("with %i says what to do, and is not tried again", (code, ended) => {
+    const { socket, store, sockets } = online();
+    socket.drops(code, "whatever the server says");
+    vi.advanceTimersByTime(60_000);
+    expect(sockets).toHaveLength(1);
+    expect(store.getState().connection).toMatchObject({ status: "offline", ended });
+  });
 });

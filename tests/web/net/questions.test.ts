@@ -61,9 +61,10 @@ describe("asking", () => {
     expect(messages).toHaveLength(2);
   });
 
-  test("changing the mode asks nothing new", () => {
+  test("changing the mode is no other question", () => {
     const manual = play(offered, { type: "set-mode", mode: "manual", view: [2, 2] });
-    expect(questions(NO_QUESTIONS, offered, manual).messages).toHaveLength(1);
+    const { messages } = questions(NO_QUESTIONS, offered, manual);
+    expect(messages.filter(({ type }) => type === "ask")).toHaveLength(1);
   });
 });
 
@@ -74,18 +75,14 @@ describe("inspecting a dragged ghost", () => {
     const drags = [1, 1.5, 2].map((x) => play(offered, drag(x)));
     const { now, messages } = questions(asked, ...drags);
     expect(messages).toMatchObject([{ type: "inspect", center: [1, 2, 0.4], heading: 0 }]);
-    const [first] = messages;
-    const next = questions(
-      inspectionDone(now, first?.type === "inspect" ? first.id : ""),
-      ...drags.slice(-1),
-    );
+    const next = questions(inspectionDone(now), ...drags.slice(-1));
     expect(next.messages).toMatchObject([{ type: "inspect", center: [2, 2, 0.4] }]);
   });
 
   test("a pose that was asked about is not asked about again", () => {
     const dragged = play(offered, drag(1));
     const { now } = questions(asked, dragged);
-    expect(questions(inspectionDone(now, "inspect-1"), dragged).messages).toEqual([]);
+    expect(questions(inspectionDone(now), dragged).messages).toEqual([]);
   });
 
   test("a newer answer makes it ask again, even while the last is on its way", () => {
@@ -97,9 +94,17 @@ describe("inspecting a dragged ghost", () => {
     ]);
   });
 
-  test("by hand nothing is asked about the place", () => {
+  test("by hand too, the server is asked whether it may stand there", () => {
     const manual = play(offered, { type: "set-mode", mode: "manual", view: [2, 2] }, drag(1));
-    expect(questions(asked, manual).messages).toEqual([]);
+    expect(questions(asked, manual).messages).toMatchObject([
+      { type: "inspect", center: [1, 2, 0.4] },
+    ]);
+  });
+
+  test("until the ask is answered there is nothing to measure a pose by", () => {
+    const manual = play(asking, { type: "set-mode", mode: "manual", view: [2, 2] });
+    const { messages } = questions(NO_QUESTIONS, manual);
+    expect(messages.map(({ type }) => type)).toEqual(["ask"]);
   });
 
   test("on an alternative there is nothing to ask", () => {

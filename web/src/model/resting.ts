@@ -81,19 +81,22 @@ export function settled(scene: SceneRecord, category: string, size: Vector3, pos
 
 /** Whether something that can carry it is under a box, or a wall behind what hangs. */
 export function restsOnSomething(scene: SceneRecord, box: BoxRecord): boolean {
-  return mounts(box.category, box.size).some((mount) => {
-    switch (mount) {
-      case "floor":
-        return Math.abs(bottomOf(box)) <= RESTS;
-      case "wall":
-        return bottomOf(box) > RESTS && wallsOf(scene.room).some((wall) => hangsOn(wall, box));
-      case "top":
-        return scene.boxes.some(
-          (other) =>
-            other.id !== box.id && CARRIERS.includes(other.category) && carries(other, box),
-        );
-    }
-  });
+  return mounts(box.category, box.size).some((mount) => restsOn(mount, scene, box));
+}
+
+function restsOn(mount: Mount, scene: SceneRecord, box: BoxRecord): boolean {
+  switch (mount) {
+    case "floor":
+      return Math.abs(bottomOf(box)) <= RESTS;
+    case "wall":
+      return bottomOf(box) > RESTS && wallsOf(scene.room).some((wall) => hangsOn(wall, box));
+    case "top":
+      return carriersIn(scene).some((other) => other.id !== box.id && carries(other, box));
+  }
+}
+
+function carriersIn(scene: SceneRecord): readonly BoxRecord[] {
+  return scene.boxes.filter(({ category }) => CARRIERS.includes(category));
 }
 
 function hangsOn(wall: Wall, box: BoxRecord): boolean {
@@ -126,8 +129,8 @@ export function resized(category: string, before: Vector3, after: Vector3, pose:
 /** The height of what is under a point, metres: a top for what may stand on one, else the floor. */
 function groundAt(scene: SceneRecord, category: string, size: Vector3, point: Point): number {
   if (!mounts(category, size).includes("top")) return 0;
-  const tops = scene.boxes
-    .filter((box) => CARRIERS.includes(box.category) && isInside(point, footprint(box)))
+  const tops = carriersIn(scene)
+    .filter((box) => isInside(point, footprint(box)))
     .map(topOf);
   return Math.max(0, ...tops.filter((top) => top <= REACHABLE_TOP));
 }

@@ -192,7 +192,9 @@ export class Live implements Listener {
   }
 
   #refusedOne({ code, text, seq }: Problem): void {
-    if (code === "bad_query") {
+    const { placing } = this.#ties.store.getState();
+    const failed = code === "internal" && seq === null && (placing?.computing ?? false);
+    if (code === "bad_query" || failed) {
       this.#questions = inspectionDone(this.#questions);
       this.#ties.store.dispatch({ type: "ask-refused", text });
       return;
