@@ -22,8 +22,10 @@ export function followedUp(before: State, after: State): State {
   const { placing } = after;
   const old = before.placing;
   if (!placing?.confirming || !old?.confirming) return after;
-  const moved = placing.size !== old.size || !isSamePose(placing.pose, old.pose);
-  if (moved) return { ...after, placing: { ...placing, confirming: false } };
+  const grown = placing.size.some((side, i) => side !== old.size[i]);
+  if (grown || !isSamePose(placing.pose, old.pose)) {
+    return { ...after, placing: { ...placing, confirming: false } };
+  }
   return isWordToCome(after) ? after : decided(after, placing);
 }
 
