@@ -1,10 +1,14 @@
 import { Group } from "three";
-import type { State } from "../model/state";
+import type { Placing, State } from "../model/state";
 import type { Placement } from "../net/protocol.gen";
 import { BoxLines } from "./box_lines";
+import { hangs } from "./hanging";
 import { ACCENT, type Look } from "./palette";
 import type { Eye, Part } from "./part";
 import { TextSprite } from "./text_sprite";
+
+const ABOVE = 0.01; // metres over what the places stand on
+const FLAT = 0.001; // metres; only the footprint is drawn
 
 /** The other places on offer: faint footprints with their numbers, to be clicked. */
 export class AlternativesView implements Part {
@@ -32,7 +36,7 @@ export class AlternativesView implements Part {
         lines.hide();
         number.visible = false;
       } else {
-        this.#showPlace(lines, number, placement, placing.size);
+        this.#showPlace(lines, number, placement, placing);
       }
     });
   }
@@ -62,21 +66,25 @@ export class AlternativesView implements Part {
     lines: BoxLines,
     number: TextSprite,
     placement: Placement,
-    size: readonly [number, number, number],
+    { category, size }: Placing,
   ): void {
     const { center, heading, rank } = placement;
     const bottom = center[2] - size[2] / 2;
-    const flat = { id: "", category: "", heading };
-    const low = 0.001;
+    const onWall = hangs({ id: "", category, center, size });
+    const [depth, width, height] = size;
     lines.show(
-      {
-        ...flat,
-        center: [center[0], center[1], bottom + low / 2 + 0.01],
-        size: [size[0], size[1], low],
-      },
-      { color: ACCENT, width: 1.6, dashed: false, fill: 0.1 },
+      onWall
+        ? { id: "", category, heading, center, size }
+        : {
+            id: "",
+            category,
+            heading,
+            center: [center[0], center[1], bottom + ABOVE],
+            size: [depth, width, FLAT],
+          },
+      { color: ACCENT, width: 1.6, dashed: false, fill: onWall ? 0 : 0.1 },
     );
-    number.position.set(center[0], center[1], bottom + 0.25);
+    number.position.set(center[0], center[1], onWall ? center[2] : bottom + Math.min(0.25, height));
     number.write(String(rank), {
       size: 15,
       bold: true,

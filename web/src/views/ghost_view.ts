@@ -6,6 +6,7 @@ import { FloorArrow } from "./arrow";
 import { BoxLines } from "./box_lines";
 import { ContactShadows } from "./contact_shadows";
 import { Glide } from "./glide";
+import { hangs } from "./hanging";
 import { ACCENT, FORBIDDEN } from "./palette";
 import type { Eye, Part } from "./part";
 import { SolidModel } from "./solid_model";
@@ -52,6 +53,7 @@ export class GhostView implements Part {
       this.#lines.show(this.#box, { color, width: 1.8, dashed: false, fill: 0.2 });
       this.#model?.show(this.#box, placing.asset ? this.#solids.get(placing.asset) : null);
       this.#shadow.show([this.#box]);
+      this.#arrow.visible = !hangs(this.#box);
     }
     this.#place();
   }

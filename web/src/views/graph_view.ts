@@ -9,7 +9,8 @@ import type { Eye, Part } from "./part";
 import { Strokes } from "./strokes";
 import { TextSprite } from "./text_sprite";
 
-const MANY = 0.5; // opacity of the lines when all of them are shown
+const CROWD = 18; // whole lines; more of them are drawn the fainter
+const FAINTEST = 0.16; // opacity
 const MAX_NOTES = 14;
 
 /** The scene graph over the room; one node's own relations when it is selected or hovered. */
@@ -87,7 +88,10 @@ export class GraphView implements Part {
         byRelation.set(edge.relation, ends.concat(arc(from, to, lane[i] ?? 0)));
       }
     });
-    this.#stroke(byRelation, node === null ? MANY : 1);
+    this.#stroke(
+      byRelation,
+      node === null ? Math.max(FAINTEST, Math.min(0.7, CROWD / edges.length)) : 1,
+    );
     this.#notes.show(node === null ? [] : notesOf(edges, lane, places), {
       size: 12,
       color: this.#look.labelText,

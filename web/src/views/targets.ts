@@ -48,14 +48,15 @@ function alternativeAt(state: State, ray: Ray, limit: number): number | null {
   if (placing?.mode !== "scenegen") {
     return null;
   }
-  const [depth, width, height] = placing.size;
-  const low = Math.min(FLAT, height);
+  const { category, size } = placing;
+  const [depth, width, height] = size;
   let best: { rank: number; distance: number } | null = null;
   for (const { rank, center, heading } of placing.answer?.placements ?? []) {
+    const low = hangs({ id: "", category, center, size }) ? height : Math.min(FLAT, height);
     const foot: Vector3 = [center[0], center[1], center[2] - height / 2 + low / 2];
     const flat = {
       id: "",
-      category: "",
+      category,
       center: foot,
       size: [depth, width, low],
       heading,
