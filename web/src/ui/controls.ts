@@ -3,6 +3,7 @@ import { html, nothing, type TemplateResult } from "lit";
 import { live } from "lit/directives/live.js";
 import { type IconName, icon } from "./icons";
 import { type Limits, parseLength, shown, type Unit } from "./lengths";
+import type { Page } from "./page";
 
 export interface Command {
   readonly icon: IconName;
@@ -118,4 +119,10 @@ export function section(title: string, content: unknown, name: string): Template
     <h2 id="${name}-title">${title}</h2>
     ${content}
   </section>`;
+}
+
+/** Deletes what is selected. */
+export function deleteButton({ dispatch }: Pick<Page, "dispatch">): TemplateResult {
+  const run = (): void => dispatch({ type: "delete-selected" });
+  return button({ icon: "remove", label: "Delete", keys: "Del", run }, "quiet");
 }

@@ -4,10 +4,10 @@ import type { Draft, Point } from "../model/state";
 import { formatSize } from "../model/units";
 import { button, lengthField, section } from "./controls";
 import { nextCorner } from "./exact";
-import { putHere } from "./keyboard";
+import { putHere } from "./key_actions";
 import { parseLength } from "./lengths";
+import { wallFields } from "./outline";
 import type { Page } from "./page";
-import { wallFields } from "./selection";
 
 const STEP = 0.05; // metres
 const TITLES = {

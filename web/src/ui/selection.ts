@@ -3,13 +3,11 @@ import { html, nothing, type TemplateResult } from "lit";
 import { likelyCategories } from "../model/labels";
 import type { Point, Vector3 } from "../model/state";
 import { formatAngle } from "../model/units";
-import { wallsOf, withWallLength } from "../model/walls";
-import type { BoxRecord, OpeningRecord } from "../net/protocol.gen";
+import type { BoxRecord } from "../net/protocol.gen";
 import { chips } from "./categories";
-import { button, lengthField, section } from "./controls";
-import { spanOf, withSpan } from "./exact";
+import { button, deleteButton, lengthField, section } from "./controls";
+import { cornerPanel, openingPanel } from "./outline";
 import type { Page } from "./page";
-import { wallName } from "./whereabouts";
 
 const STEP = 0.05; // metres
 const TURN = Math.PI / 12; // 15°
@@ -131,113 +129,9 @@ function boxCommands({ dispatch }: Page, box: BoxRecord): TemplateResult {
     </div>
     <div class="row">
       ${button({ icon: "duplicate", label: "Duplicate", run: () => dispatch({ type: "duplicate-selected" }) })}
-      ${deleteButton(dispatch)}
+      ${deleteButton({ dispatch })}
     </div>
   `;
-}
-
-function openingPanel(page: Page, kind: "door" | "window", opening: OpeningRecord): TemplateResult {
-  const { room } = page.state.scene;
-  const { from, width } = spanOf(opening, room);
-  const edit = (value: OpeningRecord): void =>
-    page.dispatch({ type: "edit-opening", opening: kind, value, done: true });
-  const heights = { min: 0, max: room.height };
-  const field = (id: string, label: string, value: number, change: (metres: number) => void) =>
-    lengthField({
-      id: `${kind}-${id}`,
-      label,
-      unit: "cm",
-      value,
-      limits: heights,
-      step: STEP,
-      change,
-    });
-  return section(
-    kind === "door" ? "Door" : "Window",
-    html`
-      <div class="fields" role="group" aria-label="Where it is in the wall">
-        ${lengthField({
-          id: `${kind}-from`,
-          label: "From the corner",
-          unit: "m",
-          value: from,
-          limits: { min: 0, max: 100 },
-          step: STEP,
-          change: (length) => edit(withSpan(opening, room, { from: length, width })),
-        })}
-        ${lengthField({
-          id: `${kind}-width`,
-          label: "Width",
-          unit: "cm",
-          value: width,
-          step: STEP,
-          change: (length) => edit(withSpan(opening, room, { from, width: length })),
-        })}
-      </div>
-      <div class="fields" role="group" aria-label="Heights above the floor">
-        ${field("bottom", "Begins at", opening.bottom, (bottom) => {
-          if (bottom < opening.top) edit({ ...opening, bottom });
-        })}
-        ${field("top", "Ends at", opening.top, (top) => {
-          if (top > opening.bottom) edit({ ...opening, top });
-        })}
-      </div>
-      <div class="row">${deleteButton(page.dispatch)}</div>
-    `,
-    "selection",
-  );
-}
-
-function cornerPanel(page: Page, index: number): TemplateResult {
-  const { corners } = page.state.scene.room;
-  const before = (index + corners.length - 1) % corners.length;
-  return section(
-    "Corner",
-    html`
-      <p class="quiet">How long its two walls are:</p>
-      ${wallFields(page, [before, index])}
-      <div class="row">${corners.length > 3 ? deleteButton(page.dispatch) : nothing}</div>
-    `,
-    "selection",
-  );
-}
-
-/** The lengths of walls, to be typed; the next wall moves along, so right angles stay right. */
-export function wallFields(
-  { state, dispatch }: Pick<Page, "state" | "dispatch">,
-  indices: readonly number[],
-): TemplateResult {
-  const { room } = state.scene;
-  const walls = wallsOf(room).filter(({ index }) => indices.includes(index));
-  return html`<div class="fields pairs" role="group" aria-label="Lengths of the walls">
-    ${walls.map((wall) =>
-      lengthField({
-        id: `wall-${wall.index}`,
-        label: `${capital(wallName(wall))} wall`,
-        unit: "m",
-        value: wall.length,
-        step: STEP,
-        change: (length) =>
-          dispatch({
-            type: "edit-room",
-            room: withWallLength(room, wall.index, length),
-            done: true,
-          }),
-      }),
-    )}
-  </div>`;
-}
-
-function deleteButton(dispatch: Page["dispatch"]): TemplateResult {
-  return button(
-    {
-      icon: "remove",
-      label: "Delete",
-      keys: "Del",
-      run: () => dispatch({ type: "delete-selected" }),
-    },
-    "quiet",
-  );
 }
 
 function westSouth(corners: readonly Point[]): Point {
@@ -247,8 +141,4 @@ function westSouth(corners: readonly Point[]): Point {
 
 function replaced(size: Vector3, side: number, length: number): Vector3 {
   return size.map((old, i) => (i === side ? length : old)) as unknown as Vector3;
-}
-
-function capital(word: string): string {
-  return word.charAt(0).toUpperCase() + word.slice(1);
 }
