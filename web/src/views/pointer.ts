@@ -34,6 +34,7 @@ interface Press {
   readonly x: number;
   readonly y: number;
   readonly gesture: Gesture;
+  readonly down: PointerEvent;
   moved: boolean;
   /** The last action of a drag, to be sent once more as the final one. */
   last: Action | null;
@@ -54,6 +55,8 @@ export class Pointer {
   #press: Press | null = null;
   /** What to add to the height under the pointer while a box is pulled up. */
   #pull: number | null = null;
+  /** The press that the camera was given after all. */
+  #handedOver: PointerEvent | null = null;
 
   constructor(pad: Pad, dispatch: (action: Action) => void) {
     this.#pad = pad;
@@ -88,16 +91,17 @@ export class Pointer {
     if (state.welcome) {
       this.#dispatch({ type: "touched" });
     }
-    if (this.#press || !event.isPrimary || event.button !== 0) {
-      if (this.#press?.gesture.kind === "look") {
-        this.#press = null;
-      }
+    if (this.#press) {
+      this.#secondFinger(state, this.#press);
+      return;
+    }
+    if (!event.isPrimary || event.button !== 0 || event === this.#handedOver) {
       return;
     }
     const ray = this.#ray(event);
     const gesture = this.#gesture(state, event, ray);
     const { pointerId: id, clientX: x, clientY: y } = event;
-    this.#press = { id, x, y, gesture, moved: false, last: null };
+    this.#press = { id, x, y, gesture, down: event, moved: false, last: null };
     if (gesture.kind === "look") {
       return;
     }
@@ -108,6 +112,23 @@ export class Pointer {
     if (gesture.kind === "draw") {
       this.#draw("draw-down", state, event, ray);
     }
+  }
+
+  /** Two fingers move the camera: what one of them began to draw is dropped. */
+  #secondFinger(state: State, { gesture, down }: Press): void {
+    if (gesture.kind === "look") {
+      this.#press = null;
+    }
+    if (gesture.kind !== "draw") {
+      return;
+    }
+    this.#end();
+    if (state.draft?.kind === "box-floor") {
+      this.#dispatch({ type: "draw-up", at: state.draft.start, free: true });
+    }
+    // The camera has not seen the first finger; it needs both.
+    this.#handedOver = new PointerEvent(down.type, down);
+    this.#pad.element.dispatchEvent(this.#handedOver);
   }
 
   #gesture(state: State, event: PointerEvent, ray: Ray): Gesture {

@@ -196,6 +196,7 @@ export class Stage implements StageView {
   #restore(): void {
     this.#removeReflections();
     this.#removeReflections = addReflections(this.#renderer, this.#scene);
+    this.#renderer.shadowMap.needsUpdate = true;
     this.invalidate();
   }
 
