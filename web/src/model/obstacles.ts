@@ -78,9 +78,9 @@ function blocksDoor(room: RoomRecord, box: BoxRecord): boolean {
 }
 
 function coversWindow(room: RoomRecord, box: BoxRecord): boolean {
-  return room.windows.some((window) => {
-    const across = topOf(box) > window.bottom + SILL && bottomOf(box) < window.top;
-    return across && reachesInto(room, window, WINDOW_DEPTH, box);
+  return room.windows.some((opening) => {
+    const across = topOf(box) > opening.bottom + SILL && bottomOf(box) < opening.top;
+    return across && reachesInto(room, opening, WINDOW_DEPTH, box);
   });
 }
 
