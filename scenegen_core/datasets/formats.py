@@ -6,7 +6,16 @@ from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
-from scenegen_core.datasets import mruk, quest, roomplan, rows, scene_file, sweethome3d
+from scenegen_core.datasets import (
+    mruk,
+    quest,
+    roomplan,
+    rows,
+    scene_file,
+    sweethome3d,
+    thor_house,
+    thor_metadata,
+)
 from scenegen_core.datasets.contents import Head
 from scenegen_core.datasets.remarks import Report, Skipped, log
 from scenegen_core.errors import DataError, SceneGenError
@@ -35,6 +44,8 @@ FORMATS = (
     Format(
         "sweethome3d", "a home of Sweet Home 3D", sweethome3d.recognizes, sweethome3d.read_scenes
     ),
+    Format("procthor", "houses of ProcTHOR", thor_house.recognizes, thor_house.read_scenes),
+    Format("ai2thor", "objects of AI2-THOR", thor_metadata.recognizes, thor_metadata.read_scenes),
 )
 """In the order they are tried; at most one recognizes a file."""
 

@@ -21,6 +21,7 @@ BESIDE = 0.3  # metres; half of a thick wall: openings in it are that far from t
 HALF_HIDDEN = 0.5  # share of an opening's width; with less before it, a room is not beside it
 IN_WALL = 0.05  # metres; how far centers of things on sills and in niches are from the floor
 LOOPS = 0.05  # share of the floor; where an outline crosses itself, smaller loops are cut off
+LOWEST = 10.0  # metres below the floor; what begins further down is a mistake
 LONGEST_NAME = 50  # characters of a file's name that go into ids
 
 
@@ -38,6 +39,20 @@ def checked_room(
 def with_openings(room: Room, doors: Iterable[Opening], windows: Iterable[Opening]) -> Room:
     """The room with those of the openings that lead through its walls, put on its outline."""
     return replace(room, doors=_through(room, doors), windows=_through(room, windows))
+
+
+def usable_openings(openings: Iterable[Opening], path: Path, report: Report) -> tuple[Opening, ...]:
+    """The openings that a room can have; the others are reported."""
+    kept: list[Opening] = []
+    for opening in openings:
+        if -LOWEST <= opening.bottom < opening.top and all(
+            map(isfinite, (*opening.start, *opening.end, opening.top))
+        ):
+            kept.append(opening)
+        else:
+            reason = f"it reaches from {opening.bottom:.2f} to {opening.top:.2f} m"
+            report(Skipped(path, f"opening {opening.id!r}", reason))
+    return tuple(kept)
 
 
 def furnished(

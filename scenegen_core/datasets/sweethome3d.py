@@ -24,6 +24,7 @@ from scenegen_core.datasets.plans import (
     furnished,
     rounded,
     scene_id,
+    usable_openings,
     with_openings,
 )
 from scenegen_core.datasets.remarks import Report, Skipped, usable_boxes
@@ -45,7 +46,8 @@ _OnLevels = list[tuple[str, T]]
 
 def recognizes(head: Head) -> bool:
     """Whether the file is a home or the XML of one."""
-    return b"<home " in head.start or bool({HOME, OLD_HOME} & set(head.members))
+    is_xml = head.start.lstrip().startswith(b"<") and b"<home " in head.start
+    return is_xml or bool({HOME, OLD_HOME} & set(head.members))
 
 
 def read_scenes(path: Path, report: Report) -> Iterator[Scene]:
@@ -58,9 +60,9 @@ def read_scenes(path: Path, report: Report) -> Iterator[Scene]:
     doors, windows = _openings(home, path, report)
     for level in sorted({level for level, _ in drawn} | {level for level, _ in boxes}):
         usable = usable_boxes(_of(level, boxes), path, report)
+        through = [usable_openings(_of(level, kind), path, report) for kind in (doors, windows)]
         for scene in furnished(_of(level, drawn), usable, path, report):
-            room = with_openings(scene.room, _of(level, doors), _of(level, windows))
-            yield replace(scene, room=room)
+            yield replace(scene, room=with_openings(scene.room, *through))
 
 
 def _of(level: str, things: _OnLevels[T]) -> list[T]:
