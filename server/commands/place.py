@@ -35,7 +35,7 @@ def add_arguments(parser: ArgumentParser) -> None:
     parser.add_argument("--room-id", metavar="ID", help="which room of a file of several")
     parser.add_argument("--model", choices=MODELS, default=MODELS[0])
     parser.add_argument("--count", type=_count, default=5, help="alternatives to offer (1 to 10)")
-    parser.add_argument("--seed", type=int, default=0, help="decides between equal scores")
+    parser.add_argument("--seed", type=_seed, default=0, help="decides between equal scores")
     parser.add_argument("--knowledge", type=Path, metavar="FILE", help="instead of the shipped one")
     parser.add_argument("--json", action="store_true", help="print one JSON object")
     parser.add_argument("--heat-map", type=Path, metavar="FILE.png", help="draw the last heat map")
@@ -147,6 +147,12 @@ def _query(name: str, size: Vector3 | None, arguments: Namespace, knowledge: Kno
 def _count(text: str) -> int:
     if not re.fullmatch(r"[1-9]|10", text):
         raise ArgumentTypeError(f"{text!r}: give a number from 1 to 10")
+    return int(text)
+
+
+def _seed(text: str) -> int:
+    if not re.fullmatch(r"\d{1,18}", text):
+        raise ArgumentTypeError(f"{text!r}: give a whole number from 0 on as the seed")
     return int(text)
 
 

@@ -16,7 +16,7 @@ from scenegen_core.graph.candidates import Candidates
 from scenegen_core.graph.situation import Situation
 from scenegen_core.graph.surroundings import Surroundings
 from scenegen_core.knowledge import default_knowledge
-from scenegen_core.knowledge.knowledge import Knowledge
+from scenegen_core.knowledge.learning import learn
 from scenegen_core.placement.answer import Cancelled, Pose, Query, Surface
 from scenegen_core.placement.feasible import ALLOWED, Space, verdicts
 from scenegen_core.placement.mounts import Mount
@@ -237,17 +237,9 @@ def test_a_category_that_was_never_seen_is_refused_by_name() -> None:
 
 
 def test_a_category_with_four_examples_is_refused_with_their_number() -> None:
-    few = replace(
-        KNOWLEDGE["Bed"],
-        rows=KNOWLEDGE["Bed"].rows[:4],
-        rooms=KNOWLEDGE["Bed"].rooms[:4],
-        front_known=KNOWLEDGE["Bed"].front_known[:4],
-        sizes=KNOWLEDGE["Bed"].sizes[:4],
-        bottoms=KNOWLEDGE["Bed"].bottoms[:4],
-    )
-    knowledge: Knowledge = replace(KNOWLEDGE, categories={**KNOWLEDGE.categories, "Bed": few})
-    with pytest.raises(KnowledgeError, match="only 4 examples of Bed"):
-        solve(LIVING_ROOM, Query("Bed"), knowledge)
+    rooms = [replace(LIVING_ROOM, id=f"room {number}") for number in range(4)]
+    with pytest.raises(KnowledgeError, match="only 4 examples of Sofa, and 5 are needed"):
+        solve(LIVING_ROOM, SOFA, learn(rooms, PAPER_CATEGORIES))
 
 
 @pytest.mark.parametrize("patience", range(4))
