@@ -61,7 +61,8 @@ def clean(
     """The scenes that are fit to learn from, without wrong boxes, and what was done to them.
 
     Room types are compared by their letters alone, and a room that holds one of the words counts:
-    "LivingRoom/Kitchen" is a living room. ``areas``: least and most, square metres.
+    "LivingRoom/Kitchen" is a living room. A room whose type nobody says is kept. ``areas``: least
+    and most, square metres.
     """
     words = tuple(_letters(word) for word in room_types)
     everything = list(scenes)
@@ -89,7 +90,7 @@ def _letters(word: str) -> str:
 
 def _is_one_of(room_type: str, words: tuple[str, ...]) -> bool:
     letters = _letters(room_type)
-    return any(word in letters for word in words)
+    return not letters or any(word in letters for word in words)
 
 
 def _outline(scene: Scene) -> Polygon:

@@ -59,6 +59,8 @@ class Density:
     """(columns,): continuous columns where the value ABSENT says that a group has no members."""
     bandwidths: Floats
     """(columns,): σ of the Gaussian, λ of Wang–Ryzin."""
+    log_shares: Floats
+    """(n,): the logarithm of the share of each example; −log n where all weigh the same."""
 
     @classmethod
     def fit(
@@ -68,13 +70,15 @@ class Density:
         *,
         fixed: Mapping[int, float] | None = None,
         bandwidths: Bandwidths = "bounded",
+        weights: Floats | None = None,
     ) -> Density:
         """The density of examples (n, columns), n at least 1, with one kind a column.
 
         Ordered columns hold whole numbers, in examples and in queries.
         ``fixed`` gives bandwidths by column; continuous columns with one may hold ABSENT. The
         others follow the rule of thumb 1.06 σ n^(−1/(4 + columns)). ``bandwidths="paper"`` leaves
-        the ordered ones unbounded, as the paper does.
+        the ordered ones unbounded, as the paper does. ``weights`` (n,), positive, say how much each
+        example counts; the rule of thumb does not look at them.
         """
         ordered = np.array([kind == "ordered" for kind in kinds], dtype=np.bool_)
         widths = RULE_OF_THUMB * rows.std(axis=0) * len(rows) ** (-1.0 / (4 + rows.shape[1]))
@@ -85,7 +89,8 @@ class Density:
         for column, width in (fixed or {}).items():
             widths[column] = width
             is_fixed[column] = True
-        return cls(rows, ordered, is_fixed & ~ordered, widths)
+        weights = np.ones(len(rows)) if weights is None else weights
+        return cls(rows, ordered, is_fixed & ~ordered, widths, np.log(weights / weights.sum()))
 
     @property
     def sign(self) -> int:
@@ -109,20 +114,21 @@ class Density:
             agrees = self._agreement(queries[which[0]], members)
             for part in _blocks(which, len(members)):
                 block = queries[part]
-                scores = np.zeros((len(part), len(members)))
+                scores = np.tile(self.log_shares[members], (len(part), 1))
                 for column in range(self.rows.shape[1]):
                     scores += self._log_kernels(column, block, members, agrees)
                 top = scores.max(axis=1, keepdims=True)
                 scores -= top
                 result[part] = top[:, 0] + np.log(np.exp(scores, out=scores).sum(axis=1))
-        return self.sign * (result - log(len(self.rows)))
+        return self.sign * result
 
     def terms(self, queries: Floats) -> Terms:
         """The exact additive split of the log density of a few queries (q, columns).
 
-        With s_i the log kernel product of example i and r = softmax(s), log Σ exp s_i is
-        Σ r_i s_i + entropy(r), and s_i is a sum over columns. All examples that speak disagree
-        with the query about equally many groups; what that costs is part of the agreement.
+        With s_i the log kernel product of example i, w_i its share and r = softmax(s + log w),
+        log Σ w_i exp s_i is Σ r_i s_i + entropy(r) + Σ r_i log w_i, and s_i is a sum over columns.
+        All examples that speak disagree with the query about equally many groups; what that costs
+        is part of the agreement.
         """
         columns, agreement = np.empty(queries.shape), np.empty(len(queries))
         responsibilities = np.zeros((len(queries), len(self.rows)))
@@ -137,13 +143,13 @@ class Density:
             dropped = ~agrees.T[:, None, :]
             cost = DISAGREEMENT * np.count_nonzero(dropped[:, 0, 0])
             kernels[np.broadcast_to(dropped, kernels.shape)] = 0.0
-            scores = kernels.sum(axis=0)
+            scores = kernels.sum(axis=0) + self.log_shares[members]
             shares = np.exp(scores - scores.max(axis=1, keepdims=True))
             shares /= shares.sum(axis=1, keepdims=True)
             columns[which] = np.einsum("cqi,qi->qc", kernels, shares)
             responsibilities[np.ix_(which, members)] = shares
             agreement[which] = cost
-        agreement += entr(responsibilities).sum(axis=1) - log(len(self.rows))
+        agreement += entr(responsibilities).sum(axis=1) + responsibilities @ self.log_shares
         return Terms(self.sign * columns, self.sign * agreement, responsibilities)
 
     def _patterns(self, queries: Floats) -> list[tuple[NDArray[np.intp], NDArray[np.intp]]]:

@@ -21,7 +21,7 @@ from scenegen_core.knowledge.sources import Source
 from scenegen_core.scene.model import Category
 
 VERSION: Literal[1] = 1
-ARRAYS = ("rows", "rooms", "front_known", "sizes", "bottoms")
+ARRAYS = ("rows", "rooms", "front_known", "sizes", "bottoms", "weights")
 """The arrays of a category; ``rooms`` holds indices into the header's rooms."""
 
 BROKEN = (
@@ -146,6 +146,7 @@ def _category(archive: NpzFile, header: _Header, number: int) -> CategoryKnowled
         "front_known": (examples,),
         "sizes": (examples, 3),
         "bottoms": (examples,),
+        "weights": (examples,),
     }
     if shapes != expected or not all(np.isfinite(array).all() for array in arrays.values()):
         raise ValueError(shapes)
@@ -157,4 +158,5 @@ def _category(archive: NpzFile, header: _Header, number: int) -> CategoryKnowled
         front_known=arrays["front_known"],
         sizes=arrays["sizes"],
         bottoms=arrays["bottoms"],
+        weights=arrays["weights"],
     )

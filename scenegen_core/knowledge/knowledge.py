@@ -62,6 +62,8 @@ class CategoryKnowledge:
     """Depth, width, height, metres: (n, 3)."""
     bottoms: Floats
     """Heights of the undersides above the floor, metres: (n,)."""
+    weights: Floats
+    """How much each example counts, positive: (n,)."""
     _priors: dict[tuple[tuple[str, ...], Bandwidths, bool], Prior] = field(
         default_factory=dict, init=False, repr=False
     )
@@ -117,6 +119,7 @@ class CategoryKnowledge:
                 if column.relation in FIXED_BANDWIDTHS
             },
             bandwidths=bandwidths,
+            weights=self.weights[which],
         )
         return Prior(density, names, tuple(self.rooms[i] for i in which))
 

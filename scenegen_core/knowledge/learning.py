@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections import defaultdict
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from functools import partial
+from itertools import islice
 from typing import NamedTuple
 
 import numpy as np
@@ -17,11 +20,23 @@ from scenegen_core.knowledge.knowledge import SETTINGS, CategoryKnowledge, Knowl
 from scenegen_core.knowledge.sources import sources_of
 from scenegen_core.scene.model import OTHER, Box, Category, Scene
 
+BATCH = 32  # rooms measured at a time; the unit of work that goes to other processes
 
-class _Example(NamedTuple):
+
+class Example(NamedTuple):
+    """A box where it stands, measured."""
+
     row: Floats
     box: Box
     room: str
+    source: str
+
+
+Batch = Sequence[Scene]
+Mapper = Callable[
+    [Callable[[Batch], tuple[Example, ...]], Iterator[Batch]], Iterator[tuple[Example, ...]]
+]
+"""Like the built-in map: in order, wherever the work is done."""
 
 
 def learn(
@@ -29,38 +44,58 @@ def learn(
     groups: tuple[Category, ...],
     *,
     made_with: str = "",
+    weights: Mapping[str, float] | None = None,
+    mapper: Mapper = map,
     progress: Callable[[int], None] = lambda _: None,
 ) -> Knowledge:
     """The knowledge that scenes teach; DataError if there is nothing to learn from.
 
-    Boxes of Other, or of no group, are seen but not learned. ``progress`` is told after each room
-    how many are done.
+    Boxes of Other, or of no group, are seen but not learned. ``weights`` says how much an example
+    of a source counts (1 where it says nothing). ``mapper`` measures batches of rooms, here or
+    elsewhere; the knowledge is the same to the bit. ``progress`` is told how many rooms are done.
     """
-    examples: dict[str, list[_Example]] = {
-        group.name: [] for group in groups if group.name != OTHER
-    }
-    for done, scene in enumerate(scenes, start=1):
-        for box in scene.boxes:
-            if box.category in examples:
-                row = _measure_in_place(scene, box, groups)
-                examples[box.category].append(_Example(row, box, scene.id))
+    examples: defaultdict[str, list[Example]] = defaultdict(list)
+    batches = _batches(scenes)
+    done = 0
+    for measured in mapper(partial(examples_of, groups=groups), batches):
+        for example in measured:
+            examples[example.box.category].append(example)
+        done = min(done + BATCH, len(scenes))
         progress(done)
-    if not any(examples.values()):
+    if not examples:
+        learnable = (group.name for group in groups if group.name != OTHER)
         raise DataError(
             f"There is nothing to learn from in {len(scenes)} rooms; give rooms that hold "
-            f"{', '.join(examples)}."
+            f"{', '.join(learnable)}."
         )
     return Knowledge(
         groups=groups,
         categories={
-            group.name: _category(group, groups, examples[group.name])
+            group.name: _category(group, groups, examples[group.name], weights or {})
             for group in groups
-            if examples.get(group.name)
+            if group.name in examples
         },
         sources=sources_of(scenes),
         settings=SETTINGS,
         made_with=made_with,
     )
+
+
+def examples_of(scenes: Batch, groups: tuple[Category, ...]) -> tuple[Example, ...]:
+    """Every box of the scenes that teaches, each measured in its scene without it."""
+    learnable = {group.name for group in groups} - {OTHER}
+    return tuple(
+        Example(_measure_in_place(scene, box, groups), box, scene.id, scene.source)
+        for scene in scenes
+        for box in scene.boxes
+        if box.category in learnable
+    )
+
+
+def _batches(scenes: Sequence[Scene]) -> Iterator[Batch]:
+    rest = iter(scenes)
+    while batch := tuple(islice(rest, BATCH)):
+        yield batch
 
 
 def _measure_in_place(scene: Scene, box: Box, groups: tuple[Category, ...]) -> Floats:
@@ -71,7 +106,10 @@ def _measure_in_place(scene: Scene, box: Box, groups: tuple[Category, ...]) -> F
 
 
 def _category(
-    group: Category, groups: tuple[Category, ...], examples: list[_Example]
+    group: Category,
+    groups: tuple[Category, ...],
+    examples: list[Example],
+    weights: Mapping[str, float],
 ) -> CategoryKnowledge:
     boxes = [example.box for example in examples]
     return CategoryKnowledge(
@@ -82,4 +120,5 @@ def _category(
         front_known=np.array([box.front_known and not box.front_from_wall for box in boxes]),
         sizes=np.array([box.size for box in boxes]),
         bottoms=np.array([box.bottom for box in boxes]),
+        weights=np.array([weights.get(example.source, 1.0) for example in examples]),
     )

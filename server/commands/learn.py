@@ -3,16 +3,23 @@
 from __future__ import annotations
 
 import sys
-from argparse import ArgumentParser, Namespace
-from collections.abc import Callable, Iterator
+from argparse import ArgumentParser, ArgumentTypeError, Namespace
+from collections.abc import Iterator, Sequence
+from contextlib import AbstractContextManager, nullcontext
 from dataclasses import asdict
 from pathlib import Path
 
-from scenegen_core.datasets.cleaning import Reductions, clean
+from scenegen_core.datasets.cleaning import ROOM_TYPES, Reductions, clean
 from scenegen_core.datasets.formats import read_all
 from scenegen_core.datasets.remarks import Remark, Skipped
+from scenegen_core.errors import DataError
 from scenegen_core.knowledge import Knowledge, learn, save_knowledge
-from scenegen_core.scene.model import PAPER_CATEGORIES
+from scenegen_core.knowledge.learning import Mapper
+from scenegen_core.scene.model import PAPER_CATEGORIES, Scene
+from server.commands.progress import Meter
+from server.commands.rooms import read_rooms
+
+MAX_WEIGHT = 1e6
 
 
 def add_arguments(parser: ArgumentParser) -> None:
@@ -23,33 +30,80 @@ def add_arguments(parser: ArgumentParser) -> None:
     parser.add_argument(
         "--out", required=True, type=Path, metavar="FILE", help="where the knowledge goes (.npz)"
     )
+    parser.add_argument(
+        "--weight",
+        action="append",
+        default=[],
+        type=weight,
+        metavar="SOURCE=W",
+        help="how much an example of a source counts (1); again for more sources",
+    )
+    parser.add_argument(
+        "--room-types",
+        type=lambda text: tuple(text.split(",")),
+        default=ROOM_TYPES,
+        metavar="A,B,…",
+        help="the types of rooms to learn from (the paper's eleven; rooms without a type count)",
+    )
+    parser.add_argument(
+        "--dask", metavar="ADDRESS", help="measure on a dask scheduler; 'local' starts one here"
+    )
+    parser.add_argument("--workers", type=int, default=2, help="processes, with --dask local (2)")
+
+
+def weight(text: str) -> tuple[str, float]:
+    """A source and how much it counts: "procthor-gen=0.1"."""
+    source, _, number = text.partition("=")
+    try:
+        value = float(number)
+    except ValueError:
+        value = 0.0
+    if not 0 < value <= MAX_WEIGHT:
+        raise ArgumentTypeError(
+            f"{text!r}: write a source and a weight above 0, like procthor-gen=0.1"
+        )
+    return source, value
 
 
 def run(arguments: Namespace) -> int:
     """Read, clean, learn, save, and say what came of it."""
-    remarks: list[Remark] = []
-    scenes, reductions = clean(read_all(arguments.data, remarks.append))
-    knowledge = learn(
-        scenes,
-        PAPER_CATEGORIES,
-        made_with=" ".join(["scenegen learn", *(path.name for path in arguments.data)]),
-        progress=_progress(len(scenes)),
-    )
+    rooms, remarks = read_rooms(arguments.data)
+    scenes, reductions = clean(rooms, room_types=arguments.room_types)
+    weights = dict(arguments.weight)
+    _check_sources(weights, scenes)
+    meter = Meter("rooms")
+    with _mapper(arguments) as mapper:
+        knowledge = learn(
+            scenes,
+            PAPER_CATEGORIES,
+            made_with=" ".join(["scenegen learn", *(path.name for path in arguments.data)]),
+            weights=weights,
+            mapper=mapper,
+            progress=lambda done: meter.show(done, len(scenes)),
+        )
+    meter.end()
     save_knowledge(knowledge, arguments.out)
     sys.stdout.write("\n".join(_summary(knowledge, reductions, remarks, arguments.out)) + "\n")
     return 0
 
 
-def _progress(total: int) -> Callable[[int], None]:
-    """A counter on stderr that is redrawn on one line, for people who watch."""
+def _mapper(arguments: Namespace) -> AbstractContextManager[Mapper]:
+    """Where rooms are measured."""
+    if arguments.dask is None:
+        return nullcontext(map)
+    from scenegen_core.knowledge.cluster import dask_mapper  # noqa: PLC0415 (an optional extra)
 
-    def show(done: int) -> None:
-        if sys.stderr.isatty():
-            end = "\n" if done == total else ""
-            sys.stderr.write(f"\rMeasured {done} of {total} rooms{end}")
-            sys.stderr.flush()
+    return dask_mapper(arguments.dask, arguments.workers)
 
-    return show
+
+def _check_sources(weights: dict[str, float], scenes: Sequence[Scene]) -> None:
+    known = dict.fromkeys(scene.source for scene in scenes)
+    for source in weights:
+        if source not in known:
+            raise DataError(
+                f"No room is of the source {source!r} that --weight names; "
+                f"these are: {', '.join(known)}."
+            )
 
 
 def _summary(
@@ -71,7 +125,8 @@ def _summary(
         )
     yield ""
     skipped = sum(isinstance(remark, Skipped) for remark in remarks)
-    for reason, count in {"skipped": skipped, **asdict(reductions)}.items():
+    unknown = len(remarks) - skipped
+    counts = {"skipped": skipped, "unknown_labels": unknown, **asdict(reductions)}
+    for reason, count in counts.items():
         yield f"{reason.replace('_', ' '):<17} {count:>6}"
-    yield from (f"left out: {remark}" for remark in remarks if isinstance(remark, Skipped))
     yield f"Wrote {out} ({out.stat().st_size / 1000:.0f} kB)."

@@ -2,13 +2,18 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Iterator
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
 import pytest
 
 from scenegen_core.errors import DataError, KnowledgeError
 from scenegen_core.graph.relations import RELATIONS, columns
-from scenegen_core.knowledge.files import default_knowledge
+from scenegen_core.knowledge.files import default_knowledge, save_knowledge
 from scenegen_core.knowledge.knowledge import CategoryKnowledge, Knowledge
-from scenegen_core.knowledge.learning import learn
+from scenegen_core.knowledge.learning import Batch, Example, learn
 from scenegen_core.scene.model import (
     PAPER_CATEGORIES,
     Box,
@@ -172,8 +177,33 @@ def test_rooms_without_furniture_teach_nothing(scenes: list[Scene]) -> None:
 
 def test_progress_counts_the_rooms() -> None:
     seen: list[int] = []
-    learn(living_rooms(3), PAPER_CATEGORIES, progress=seen.append)
-    assert seen == [1, 2, 3]
+    learn(living_rooms(70), PAPER_CATEGORIES, progress=seen.append)
+    assert seen == [32, 64, 70]
+
+
+def test_the_knowledge_is_the_same_to_the_bit_in_whatever_order_batches_are_measured(
+    tmp_path: Path,
+) -> None:
+    def backwards(
+        work: Callable[[Batch], tuple[Example, ...]], batches: Iterator[Batch]
+    ) -> Iterator[tuple[Example, ...]]:
+        measured = [work(batch) for batch in reversed(list(batches))]
+        yield from reversed(measured)
+
+    for name, mapper in (("forth", map), ("back", backwards)):
+        knowledge = learn(living_rooms(70), PAPER_CATEGORIES, mapper=mapper)
+        save_knowledge(knowledge, tmp_path / name)
+    assert (tmp_path / "forth").read_bytes() == (tmp_path / "back").read_bytes()
+
+
+def test_an_example_of_double_weight_counts_like_two() -> None:
+    once, twice = living_rooms(6), living_rooms(6)[:3]
+    heavy = [replace(scene, source="heavy") for scene in twice]
+    weighted = learn([*heavy, *once[3:]], PAPER_CATEGORIES, weights={"heavy": 2.0})
+    doubled = learn([*heavy, *heavy, *once[3:]], PAPER_CATEGORIES)
+    one, two = weighted["Sofa"].position().density, doubled["Sofa"].position().density
+    same_widths = replace(two, bandwidths=one.bandwidths)
+    np.testing.assert_allclose(one.log_density(one.rows), same_widths.log_density(one.rows))
 
 
 def test_sources_are_counted_and_unknown_ones_state_no_license() -> None:
