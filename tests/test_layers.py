@@ -36,7 +36,7 @@ WEB_MAY_IMPORT = {
 """Folders and modules of web/src; what wires them together (main, services) may import all."""
 IMPORT = re.compile(r"""(?:\bfrom|\bimport)\s*\(?\s*["']([^"']+)["']""")
 COMMENT = re.compile(r"/\*.*?\*/|^\s*//.*?$", re.DOTALL | re.MULTILINE)
-BROWSER = re.compile(r"\b(?:document|window|navigator|localStorage|WebSocket)\s*[.(]")
+BROWSER = re.compile(r"\b(?:document|window|navigator|localStorage|WebSocket)\s*(?:\.\s*\w|\()")
 
 
 def python_imports(source: str, module: str) -> set[str]:
