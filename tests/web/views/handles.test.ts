@@ -3,7 +3,8 @@ import { emptyScene, initialState } from "../../../web/src/model/initial";
 import type { State } from "../../../web/src/model/state";
 import type { BoxRecord } from "../../../web/src/net/protocol.gen";
 import { drag, gripBox } from "../../../web/src/views/dragging";
-import { dragSpot, type Spot, spotsOf } from "../../../web/src/views/handle_spots";
+import { dragSpot } from "../../../web/src/views/handle_drag";
+import { type Spot, spotsOf } from "../../../web/src/views/handle_spots";
 import type { Ray } from "../../../web/src/views/picking";
 
 /** A table in the middle of the bare room of 5 m by 4 m, its front to the east. */

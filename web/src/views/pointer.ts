@@ -1,11 +1,13 @@
 import { floorPoint } from "../model/footprints";
 import { distance, type Segment } from "../model/geometry";
 import type { Action, Point, State, Vector3 } from "../model/state";
-import { drag, type Grip, gripBox, handOnWalls } from "./dragging";
-import { dragSpot, type Spot, spotsOf } from "./handle_spots";
+import { cursorOf, gripOf, isChosen, selectionOf } from "./chosen";
+import { drag, type Grip, handOnWalls } from "./dragging";
+import { dragSpot } from "./handle_drag";
+import { type Spot, spotsOf } from "./handle_spots";
 import { middleOf } from "./outline";
 import { heightOver, meetFloor, meetLevel, type Ray } from "./picking";
-import { probeAt, type Target, targetAt } from "./targets";
+import { probeAt, targetAt } from "./targets";
 
 /** What the pointer needs of the picture: rays into it, places on it, and signs of its own. */
 export interface Pad {
@@ -281,8 +283,9 @@ export class Pointer {
     const spot = this.#spotAt(state, event);
     const chosen = isChosen(state, target);
     this.#point(target?.kind === "box" ? target.box.id : null, cursorOf(target, chosen, spot));
-    if (state.placing && (state.placing.heatMaps.length > 0 || state.probe)) {
-      this.#dispatch({ type: "probe", probe: probeAt(state, ray) });
+    const probe = probeAt(state, ray);
+    if (probe || state.probe) {
+      this.#dispatch({ type: "probe", probe });
     }
   }
 
@@ -357,56 +360,4 @@ export class Pointer {
     }
     return best;
   }
-}
-
-function selectionOf(target: Target | null) {
-  if (target?.kind === "box") {
-    return { kind: "box", id: target.box.id } as const;
-  }
-  return target?.kind === "opening"
-    ? ({ kind: target.opening, id: target.value.id } as const)
-    : null;
-}
-
-/** Whether the target is what is selected, or being placed, and so is dragged. */
-function isChosen(state: State, target: Target | null): boolean {
-  const { selection } = state;
-  if (target?.kind === "ghost") {
-    return true;
-  }
-  const aimed = selectionOf(target);
-  return (
-    aimed !== null &&
-    selection !== null &&
-    selection.kind === aimed.kind &&
-    "id" in selection &&
-    selection.id === aimed.id
-  );
-}
-
-function gripOf(state: State, target: Target | null, ray: Ray): Grip | null {
-  if (!isChosen(state, target)) {
-    return null;
-  }
-  switch (target?.kind) {
-    case "ghost":
-      return gripBox(target.box, ray, target.distance, true);
-    case "box":
-      return gripBox(target.box, ray, target.distance, false);
-    case "opening": {
-      const { value, opening } = target;
-      const from = handOnWalls(state, ray) ?? value.start;
-      return { kind: "opening", opening, id: value.id, from, start: value.start, end: value.end };
-    }
-    case "alternative":
-    case undefined:
-      return null;
-  }
-}
-
-function cursorOf(target: Target | null, chosen: boolean, spot: Spot | null): string {
-  if (spot || chosen) {
-    return "grab";
-  }
-  return target ? "pointer" : "";
 }

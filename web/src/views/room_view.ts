@@ -5,9 +5,6 @@ import {
   MeshBasicMaterial,
   MeshLambertMaterial,
   MeshStandardMaterial,
-  Shape,
-  ShapeGeometry,
-  Vector2,
   Vector3,
 } from "three";
 import type { State } from "../model/state";
@@ -16,19 +13,11 @@ import { Faces } from "./faces";
 import { oakTexture } from "./floor_texture";
 import { SIDEWAYS } from "./framing";
 import { approach } from "./motion";
-import { openingPanel, type Panel, type Wall, wallsOf, wallUnder } from "./outline";
+import { type Panel, type Wall, wallsOf } from "./outline";
 import type { Look } from "./palette";
 import type { Eye, Part } from "./part";
-import {
-  addDoor,
-  addGlass,
-  addSkirting,
-  addWall,
-  addWindow,
-  addWindowMark,
-  CUT,
-  THICKNESS,
-} from "./walls";
+import { floorOf, lowPart, panelsByWall } from "./room_shapes";
+import { addDoor, addGlass, addWall, addWindow, CUT, THICKNESS } from "./walls";
 
 const FADE = 0.16; // seconds until a wall is gone or back
 const MARGIN = 0.05; // metres the eye must be behind a wall before it goes
@@ -198,48 +187,4 @@ function isInTheWay(wall: Wall, eye: Vector3, within: boolean): boolean {
   const y = eye.y - wall.start[1] - wall.along[1] * half;
   const out = x * wall.outward[0] + y * wall.outward[1];
   return within ? out > MARGIN : out > -SIDEWAYS * Math.hypot(x, y);
-}
-
-function panelsByWall(walls: readonly Wall[], openings: RoomRecord["doors"]): Panel[][] {
-  const panels: Panel[][] = walls.map(() => []);
-  for (const opening of openings) {
-    const index = wallUnder(walls, opening.start, opening.end);
-    const wall = walls[index];
-    if (wall) {
-      panels[index]?.push(openingPanel(wall, opening));
-    }
-  }
-  return panels;
-}
-
-function lowPart(
-  walls: readonly Wall[],
-  doors: readonly Panel[][],
-  windows: readonly Panel[][],
-  look: Look,
-): BufferGeometry {
-  const faces = new Faces();
-  walls.forEach((wall, i) => {
-    const gaps = doors[i] ?? [];
-    addWall(faces, wall, [0, CUT], gaps, look);
-    addSkirting(faces, wall, gaps, look);
-    for (const window of windows[i] ?? []) {
-      addWindowMark(faces, wall, window, look);
-    }
-  });
-  return faces.geometry();
-}
-
-/** The floor; its planks run along the longest wall. */
-function floorOf(room: RoomRecord): ShapeGeometry {
-  const geometry = new ShapeGeometry(new Shape(room.corners.map(([x, y]) => new Vector2(x, y))));
-  const longest = wallsOf(room.corners, 0).reduce((a, b) => (b.length > a.length ? b : a));
-  const [cos, sin] = longest.along;
-  const uv = geometry.getAttribute("uv");
-  const position = geometry.getAttribute("position");
-  for (let i = 0; i < uv.count; i++) {
-    const [x, y] = [position.getX(i), position.getY(i)];
-    uv.setXY(i, x * cos + y * sin, y * cos - x * sin);
-  }
-  return geometry;
 }
