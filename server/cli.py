@@ -14,7 +14,9 @@ COMMANDS = {
     "serve": "open the page in a browser: draw a room, place furniture",
     "place": "say where something would go in a room, and why",
     "graph": "write the scene graph of a room",
+    "convert": "read rooms of any format; write them as a scene or as rows",
     "learn": "learn knowledge from files of rooms",
+    "evaluate": "say how good it is: take objects out of rooms and ask where they go",
 }
 
 INTERRUPTED = 130  # the shell's code for a program that Ctrl+C ended

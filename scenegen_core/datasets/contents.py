@@ -23,6 +23,8 @@ START = 65_536  # bytes that show what a file is
 GZIP = b"\x1f\x8b"
 ZIP = b"PK\x03\x04"
 BOM = b"\xef\xbb\xbf"  # some programs begin their text with it
+BROKEN_JSON = (msgspec.DecodeError, UnicodeDecodeError, RecursionError)
+"""What reading JSON raises when it is wrong; the last when it is nested without end."""
 
 Fields = dict[str, msgspec.Raw]
 
@@ -39,13 +41,28 @@ class Head:
         with _opened(self.path) as file:
             return file.read(START).removeprefix(BOM)
 
+    @property
+    def is_broken_json(self) -> bool:
+        """Whether it begins as JSON but is none, nor is any of its first lines."""
+        if self.fields or not self._looks_like_json:
+            return False
+        try:
+            msgspec.json.decode(content(self.path), type=msgspec.Raw)
+        except BROKEN_JSON:
+            return True
+        return False
+
+    @property
+    def _looks_like_json(self) -> bool:
+        return self.start.lstrip().startswith((b"{", b"["))
+
     @cached_property
     def fields(self) -> Fields:
         """The fields of the JSON object that the file or its first line is, undecoded.
 
         Of a list of objects, those of the first; empty when it is not JSON.
         """
-        if not self.start.lstrip().startswith((b"{", b"[")):
+        if not self._looks_like_json:
             return {}
         with _opened(self.path) as file:
             first = file.readline(LONGEST_LINE).removeprefix(BOM)
@@ -71,7 +88,7 @@ def fields_of(text: bytes) -> Fields:
         found = msgspec.json.decode(text, type=Fields | list[msgspec.Raw])
         if isinstance(found, list):
             return msgspec.json.decode(found[0], type=Fields) if found else {}
-    except (msgspec.DecodeError, UnicodeDecodeError):
+    except BROKEN_JSON:
         return {}
     return found
 

@@ -56,11 +56,10 @@ def format_of(path: Path) -> Format:
     for form in FORMATS:
         if form.recognizes(head):
             return form
+    if head.is_broken_json:
+        raise DataError(f"{path} begins as JSON but is none; check that it is complete.")
     *others, last = (form.description for form in FORMATS)
-    raise DataError(
-        f"{path} is neither {', '.join(others)} nor {last}; "
-        "check that it is the right file, and complete."
-    )
+    raise DataError(f"{path} is neither {', '.join(others)} nor {last}; choose another file.")
 
 
 def read_scenes(path: Path, report: Report = log) -> Iterator[Scene]:
@@ -73,10 +72,38 @@ def read_scenes(path: Path, report: Report = log) -> Iterator[Scene]:
     yield from scenes
 
 
-def read_all(paths: Iterable[Path], report: Report = log) -> Iterator[Scene]:
-    """The rooms of many files; a file that is not usable is reported and left out."""
-    for path in paths:
+def read_all(
+    paths: Iterable[Path],
+    report: Report = log,
+    *,
+    progress: Callable[[int, int], None] = lambda _done, _total: None,
+) -> Iterator[Scene]:
+    """The rooms of many files; a folder stands for the files in it.
+
+    A file that is not usable is reported and left out; DataError if one is not there or none is
+    usable. ``progress`` is told after each file how many of how many are done.
+    """
+    files = _files(paths)
+    unusable = 0
+    for done, path in enumerate(files, start=1):
         try:
             yield from read_scenes(path, report)
         except SceneGenError as error:
+            if len(files) == 1:
+                raise
             report(Skipped(path, "", str(error)))
+            unusable += 1
+        progress(done, len(files))
+    if unusable == len(files):
+        raise DataError(f"None of the {unusable} files is usable; choose others.")
+
+
+def _files(paths: Iterable[Path]) -> list[Path]:
+    """The files, and those in the folders, each once; DataError if one is missing."""
+    found: list[Path] = []
+    for path in paths:
+        if not path.exists():
+            raise DataError(f"There is no file {path}; check its name and folder.")
+        inside = [file for file in sorted(path.rglob("*")) if file.is_file()] or [path]
+        found += inside if path.is_dir() else [path]
+    return list(dict.fromkeys(found))

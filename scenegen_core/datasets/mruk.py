@@ -17,7 +17,7 @@ import numpy as np
 from msgspec import Struct
 from scipy.spatial.transform import Rotation
 
-from scenegen_core.datasets.contents import Head, content, fields_of
+from scenegen_core.datasets.contents import BROKEN_JSON, Head, content, fields_of
 from scenegen_core.datasets.headset import WALLS, Block, Panel, Seen, panels_of, scene_of
 from scenegen_core.datasets.labels import categories_of
 from scenegen_core.datasets.outlines import outline_of
@@ -94,7 +94,7 @@ def read_scenes(path: Path, report: Report) -> Iterator[Scene]:
     """The rooms of a home in order; a broken one is reported. DataError if the file is broken."""
     try:
         saved = msgspec.json.decode(content(path), type=Saved)
-    except (msgspec.DecodeError, UnicodeDecodeError) as error:
+    except BROKEN_JSON as error:
         raise DataError(f"{path} is not a scene of MR Utility Kit: {error}.") from None
     if saved.coordinate_system != UNITY:
         raise DataError(
@@ -105,7 +105,7 @@ def read_scenes(path: Path, report: Report) -> Iterator[Scene]:
         several = len(saved.rooms) > 1
         try:
             scene = _scene(msgspec.json.decode(raw, type=SavedRoom), path, report)
-        except (msgspec.DecodeError, UnicodeDecodeError, SceneGenError) as error:
+        except (*BROKEN_JSON, SceneGenError) as error:
             report(Skipped(path, f"room {number}", str(error)))
             continue
         yield replace(
@@ -138,7 +138,7 @@ def _anchors(saved: SavedRoom, path: Path, report: Report) -> Iterator[Anchor]:
     for number, raw in enumerate(saved.anchors, start=1):
         try:
             yield msgspec.json.decode(raw, type=Anchor)
-        except (msgspec.DecodeError, UnicodeDecodeError) as error:
+        except BROKEN_JSON as error:
             report(Skipped(path, f"anchor {number}", str(error)))
 
 

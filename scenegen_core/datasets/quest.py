@@ -15,7 +15,7 @@ from pathlib import Path
 
 import msgspec
 
-from scenegen_core.datasets.contents import Head, content
+from scenegen_core.datasets.contents import BROKEN_JSON, Head, content
 from scenegen_core.datasets.headset import (
     WALLS,
     Block,
@@ -53,7 +53,7 @@ def read_scenes(path: Path, report: Report) -> Iterator[Scene]:
     name, room_type = ROOMS.get(path.stem, (in_words(path.stem), ""))
     try:
         entities = msgspec.json.decode(content(path), type=Capture).entities
-    except (msgspec.DecodeError, UnicodeDecodeError) as error:
+    except BROKEN_JSON as error:
         raise DataError(f"{path} is not a capture of a room: {error}.") from None
     floor = floor_of(entities)
     things = tuple(_things(entities, path, report))

@@ -6,7 +6,8 @@ And the checks that every reader makes before it hands on a room or a box.
 from __future__ import annotations
 
 import logging
-from collections.abc import Callable, Iterable
+from collections import Counter
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
@@ -36,6 +37,8 @@ class Skipped:
     reason: str
 
     def __str__(self) -> str:
+        if not self.what and str(self.path) in self.reason:
+            return self.reason
         return f"{', '.join(filter(None, [str(self.path), self.what]))}: {self.reason}"
 
 
@@ -59,6 +62,14 @@ Report = Callable[[Remark], None]
 def log(remark: Remark) -> None:
     """Report as a warning of this module's logger."""
     logger.warning("Left out: %s" if isinstance(remark, Skipped) else "%s", remark)
+
+
+def told(remarks: Sequence[Remark]) -> Iterator[str]:
+    """All that was said, a line each; a label once, with how many things have it."""
+    yield from (f"left out: {remark}" for remark in remarks if isinstance(remark, Skipped))
+    labels = Counter((r.source, r.label) for r in remarks if isinstance(r, UnknownLabel))
+    for (source, label), count in labels.most_common():
+        yield f"unknown label, counts as Other: {label!r} ({source}), {count}"
 
 
 def usable_boxes(boxes: Iterable[Box], path: Path, report: Report) -> tuple[Box, ...]:

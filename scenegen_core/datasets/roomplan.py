@@ -11,7 +11,7 @@ from pathlib import Path
 
 import msgspec
 
-from scenegen_core.datasets.contents import Fields, Head, content, fields_of, members
+from scenegen_core.datasets.contents import BROKEN_JSON, Fields, Head, content, fields_of, members
 from scenegen_core.datasets.labels import category_of
 from scenegen_core.datasets.outlines import OUTSIDE
 from scenegen_core.datasets.remarks import Report, Skipped, usable_boxes
@@ -89,7 +89,7 @@ def _texts(path: Path) -> Iterator[tuple[Path, bytes]]:
 def _capture(raw: msgspec.Raw, path: Path, report: Report) -> Capture | None:
     try:
         return msgspec.json.decode(raw, type=Capture)
-    except (msgspec.DecodeError, UnicodeDecodeError) as error:
+    except BROKEN_JSON as error:
         report(Skipped(path, "a scanned room", str(error)))
         return None
 

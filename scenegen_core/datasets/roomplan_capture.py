@@ -16,6 +16,7 @@ import msgspec
 import numpy as np
 from msgspec import Struct
 
+from scenegen_core.datasets.contents import BROKEN_JSON
 from scenegen_core.errors import SceneError
 from scenegen_core.scene.frames import Floats, to_core
 from scenegen_core.scene.model import Point, Vector3
@@ -68,7 +69,7 @@ def decoded(raw: msgspec.Raw, kind: type[_Element]) -> _Element:
     """An element of a capture; SceneError says what is wrong with it."""
     try:
         element = msgspec.json.decode(raw, type=kind)
-    except (msgspec.DecodeError, UnicodeDecodeError) as error:
+    except BROKEN_JSON as error:
         raise SceneError(str(error)) from None
     if isinstance(element, Thing):
         _matrix(element)

@@ -6,17 +6,17 @@ heading, width, height); ``yaw`` is the heading; a ``category`` of null is clutt
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from pathlib import Path
 
 import msgspec
 from msgspec import Struct
 
-from scenegen_core.datasets.contents import Head, lines
+from scenegen_core.datasets.contents import BROKEN_JSON, Head, lines
 from scenegen_core.datasets.remarks import Report, Skipped, log
 from scenegen_core.errors import SceneError
 from scenegen_core.scene.files import OpeningRecord, RoomRecord, room_of
-from scenegen_core.scene.model import DEFAULT_HEIGHT, Box, Point, Scene, Vector3
+from scenegen_core.scene.model import DEFAULT_HEIGHT, Box, Opening, Point, Scene, Vector3
 
 DOOR = (0.0, 2.0)  # metres; low and high edge of a door where the source gives none
 WINDOW = (0.9, 2.1)  # metres; a usual sill and head, where the source gives none
@@ -44,17 +44,17 @@ class ObjectRow(Struct, frozen=True):
     parent: str | None = None
 
 
-class RoomRow(Struct, frozen=True):
+class RoomRow(Struct, frozen=True, kw_only=True):
     """A row: one room with its objects."""
 
     id: str
     source: str
     room_type: str
     polygon: tuple[Point, ...]
-    objects: tuple[ObjectRow, ...]
     height: float | None = None
     doors: tuple[OpeningRow, ...] = ()
     windows: tuple[OpeningRow, ...] = ()
+    objects: tuple[ObjectRow, ...]
 
 
 def recognizes(head: Head) -> bool:
@@ -69,7 +69,7 @@ def read_scenes(path: Path, report: Report = log) -> Iterator[Scene]:
             continue
         try:
             yield scene_of(msgspec.json.decode(line, type=RoomRow))
-        except (msgspec.DecodeError, UnicodeDecodeError, SceneError) as error:
+        except (*BROKEN_JSON, SceneError) as error:
             report(Skipped(path, f"line {number}", str(error)))
 
 
@@ -94,6 +94,26 @@ def scene_of(row: RoomRow) -> Scene:
     )
 
 
+def row_of(scene: Scene) -> RoomRow:
+    """The row of a scene; its name and which of its boxes were placed have no place in it."""
+    room = scene.room
+    return RoomRow(
+        id=scene.id,
+        source=scene.source,
+        room_type=room.room_type,
+        polygon=room.corners,
+        height=room.height,
+        doors=tuple(map(_opening_row, room.doors)),
+        windows=tuple(map(_opening_row, room.windows)),
+        objects=tuple(map(_object_row, scene.boxes)),
+    )
+
+
+def write_rows(scenes: Iterable[Scene]) -> bytes:
+    """The bytes of a file of rows, a line a room."""
+    return b"".join(msgspec.json.encode(row_of(scene)) + b"\n" for scene in scenes)
+
+
 def _opening(opening_id: str, row: OpeningRow, usual: tuple[float, float]) -> OpeningRecord:
     start, end = row.segment
     bottom, top = row.z or usual
@@ -112,4 +132,23 @@ def _box(row: ObjectRow, category: str, kept: set[str]) -> Box:
         front_known=row.front_known,
         front_from_wall=row.front_from_wall,
         parent=row.parent if row.parent in kept else None,
+    )
+
+
+def _opening_row(opening: Opening) -> OpeningRow:
+    return OpeningRow(segment=(opening.start, opening.end), z=(opening.bottom, opening.top))
+
+
+def _object_row(box: Box) -> ObjectRow:
+    depth, width, height = (size / 2 for size in box.size)
+    return ObjectRow(
+        id=box.id,
+        label=box.label,
+        category=box.category,
+        center=box.center,
+        half=(depth, width, height),
+        yaw=box.heading,
+        front_known=box.front_known,
+        front_from_wall=box.front_from_wall,
+        parent=box.parent,
     )

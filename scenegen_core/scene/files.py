@@ -172,7 +172,7 @@ def box_record(box: Box) -> BoxRecord:
 
 def _outline(corners: tuple[PointRecord, ...]) -> tuple[PointRecord, ...]:
     """The corners anticlockwise, each once in a row; SceneError if it is no room."""
-    after = (*corners[1:], corners[0])
+    after = (*corners[1:], *corners[:1])
     corners = tuple(corner for corner, other in zip(corners, after, strict=True) if corner != other)
     if len(corners) < 3:  # noqa: PLR2004 (a triangle)
         raise SceneError("The outline of the room has fewer than three corners; add some.")

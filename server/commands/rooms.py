@@ -1,15 +1,40 @@
-"""Opening the room that a command is about."""
+"""Opening the room, or reading all the rooms, that a command is about."""
 
 from __future__ import annotations
 
+import sys
 from collections.abc import Sequence
 from pathlib import Path
 
-from scenegen_core.datasets.formats import read_scenes
+from scenegen_core.datasets.formats import read_all, read_scenes
+from scenegen_core.datasets.remarks import Remark, told
 from scenegen_core.errors import DataError
 from scenegen_core.scene.model import Scene
+from server.commands.progress import Meter
 
 LISTED = 5  # ids named when one has to be chosen
+MANY = 10  # files; below that nobody waits long enough to be told
+
+
+def read_rooms(paths: Sequence[Path]) -> tuple[list[Scene], list[Remark]]:
+    """All rooms of the files and folders, and what was said about them, also on stderr.
+
+    SceneGenError if there is no usable one.
+    """
+    remarks: list[Remark] = []
+    meter = Meter("files")
+
+    def show(done: int, total: int) -> None:
+        if total >= MANY:
+            meter.show(done, total)
+            if done == total:
+                meter.end()
+
+    try:
+        return list(read_all(paths, remarks.append, progress=show)), remarks
+    finally:
+        for line in told(remarks):
+            print(line, file=sys.stderr)
 
 
 def open_room(path: Path, room_id: str | None = None) -> Scene:

@@ -11,7 +11,7 @@ from typing import Any
 import pytest
 
 from scenegen_core.datasets.remarks import Remark, Skipped
-from scenegen_core.datasets.rows import read_scenes
+from scenegen_core.datasets.rows import read_scenes, write_rows
 from scenegen_core.errors import DataError
 
 SOFA: dict[str, Any] = {
@@ -97,6 +97,7 @@ def test_gzipped_rows_are_read_too(tmp_path: Path) -> None:
         ("{", "truncated"),
         ({**ROOM, "polygon": [[0, 0], [4, 3], [4, 0], [0, 3]]}, "crosses or touches itself"),
         ({**ROOM, "polygon": [[0, 0], [1, 1]]}, "fewer than three corners"),
+        ({**ROOM, "polygon": []}, "fewer than three corners"),
         ({key: value for key, value in ROOM.items() if key != "source"}, "`source`"),
         ({**ROOM, "objects": [{**SOFA, "half": [1, 2]}]}, r"$.objects[0].half"),
         ({**ROOM, "objects": [SOFA, SOFA]}, "Two boxes have the id 's'"),
@@ -142,3 +143,12 @@ def test_a_damaged_gzip_file_is_named(tmp_path: Path, cut: slice) -> None:
     path.write_bytes(gzip.compress(json.dumps(ROOM).encode())[cut])
     with pytest.raises(DataError, match=r"rooms\.jsonl\.gz.*complete"):
         list(read_scenes(path))
+
+
+def test_a_row_that_was_read_is_written_as_it_was(tmp_path: Path) -> None:
+    known = {**ROOM, "objects": [SOFA, VASE], "doors": [{"segment": [[0, 1], [0, 2]], "z": [0, 2]}],
+             "windows": ROOM["windows"][:1]}  # fmt: skip
+    written = write_rows(read_scenes(write(tmp_path / "rooms.jsonl", known)))
+    assert written.endswith(b"}\n")
+    assert json.loads(written) == known
+    assert list(json.loads(written)) == list(ROOM)
