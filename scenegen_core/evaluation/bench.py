@@ -9,6 +9,7 @@ from typing import Literal
 import numpy as np
 
 from scenegen_core.evaluation.cases import Case
+from scenegen_core.evaluation.retrieval import Lesson
 from scenegen_core.graph.candidates import Candidates
 from scenegen_core.graph.situation import Situation
 from scenegen_core.graph.surroundings import Surroundings
@@ -42,8 +43,11 @@ class Table:
 class Bench:
     """One case, ready for every system and task."""
 
-    def __init__(self, case: Case, groups: tuple[Category, ...]) -> None:
+    def __init__(
+        self, case: Case, groups: tuple[Category, ...], lessons: tuple[Lesson, ...] = ()
+    ) -> None:
         self.case = case
+        self.lessons = lessons
         self.category = next(group for group in groups if group.name == case.box.category)
         self.around = Surroundings(case.scene, groups)
         self.space = Space.of(self.around)

@@ -26,8 +26,8 @@ class Case:
 
     @property
     def key(self) -> str:
-        """Names the case among all: room and box."""
-        return f"{self.scene.id}#{self.box.id}"
+        """Names the case among all: source, room and box."""
+        return f"{self.source}:{self.scene.id}#{self.box.id}"
 
 
 def cases(scenes: Iterable[Scene], categories: Iterable[str]) -> tuple[Case, ...]:

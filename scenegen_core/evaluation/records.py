@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from pathlib import Path
 
 import msgspec
@@ -23,17 +22,26 @@ class Record(Struct, frozen=True):
     fold: int
     errors: dict[str, dict[Task, dict[str, float]]]
     """System -> task -> measure -> error."""
+    truth: dict[str, float]
+    """The physical facts of the object where it really stood."""
 
 
 class Settings(Struct, frozen=True):
     """What records depend on: records made otherwise are not mixed with them."""
 
     data: tuple[str, ...]
+    """Names of the files judged on."""
+    learned: tuple[str, ...]
+    """Names of the files learned from, or of the knowledge; empty where folds take turns."""
+    digest: str
+    """Of the bytes of all these files."""
     folds: int
+    """0 where the rooms judged on are others than those learned from."""
     seed: int
     systems: tuple[str, ...]
-    knowledge: str
     rooms: int
+    left_out: dict[str, int]
+    """Category -> cases not asked, since too few examples were left to learn from."""
     version: str
 
 
@@ -45,11 +53,24 @@ class Journal:
         self.known: dict[str, Record] = {}
         if path is None:
             return
-        if path.exists() and (lines := path.read_bytes().splitlines()):
-            self._resume(path, lines, settings)
-        else:
+        try:
             path.parent.mkdir(parents=True, exist_ok=True)
-            path.write_bytes(msgspec.json.encode(settings) + b"\n")
+            self._open(path, settings)
+        except OSError as error:
+            raise DataError(
+                f"{path} cannot be written ({error.strerror}); choose another folder with --out."
+            ) from None
+
+    def _open(self, path: Path, settings: Settings) -> None:
+        """Begin the file, or go on with it after its last whole line."""
+        before = path.read_bytes() if path.exists() else b""
+        whole = before[: before.rfind(b"\n") + 1]
+        if not whole:
+            whole = msgspec.json.encode(settings) + b"\n"
+        else:
+            self._resume(path, whole.splitlines(), settings)
+        if whole != before:
+            path.write_bytes(whole)
 
     def _resume(self, path: Path, lines: list[bytes], settings: Settings) -> None:
         try:
@@ -61,7 +82,11 @@ class Journal:
                 f"{path} belongs to an evaluation with other settings; remove it or choose another "
                 "folder with --out."
             )
-        for record in _records(lines[1:]):
+        for number, line in enumerate(lines[1:], start=2):
+            try:
+                record = msgspec.json.decode(line, type=Record)
+            except msgspec.DecodeError:
+                raise DataError(f"Line {number} of {path} is damaged; remove the file.") from None
             self.known[record.case] = record
 
     def add(self, record: Record) -> None:
@@ -70,15 +95,3 @@ class Journal:
             with self._path.open("ab") as file:
                 file.write(msgspec.json.encode(record) + b"\n")
         self.known[record.case] = record
-
-
-def _records(lines: list[bytes]) -> Iterator[Record]:
-    """The records of lines; the last may be half a line, written when the run was cut."""
-    for number, line in enumerate(lines, start=1):
-        try:
-            yield msgspec.json.decode(line, type=Record)
-        except msgspec.DecodeError:
-            if number < len(lines):
-                raise DataError(
-                    f"Line {number + 1} of the journal is damaged; remove the file."
-                ) from None

@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 
+from scenegen_core.evaluation.bench import Task
 from scenegen_core.evaluation.physical import PHYSICAL
 from scenegen_core.evaluation.records import Record
 from scenegen_core.scene.geometry import Floats
@@ -22,12 +23,17 @@ Means = dict[str, Any]
 
 def summarize(records: Sequence[Record], *, rng: np.random.Generator) -> dict[str, Any]:
     """The published form: rooms, queries, and a table a model."""
-    names = dict.fromkeys(name for record in records for name in record.errors)
+    names = names_of(records)
     return {
         "rooms": len({record.room for record in records}),
         "queries": len(records),
         "models": {name: _model(records, name, rng) for name in names},
     }
+
+
+def names_of(records: Sequence[Record]) -> tuple[str, ...]:
+    """The systems that were asked, in their order."""
+    return tuple(dict.fromkeys(name for record in records for name in record.errors))
 
 
 def _model(records: Sequence[Record], name: str, rng: np.random.Generator) -> dict[str, Any]:
@@ -42,9 +48,9 @@ def _model(records: Sequence[Record], name: str, rng: np.random.Generator) -> di
 
 
 def _table(
-    records: Sequence[Record], name: str, task: str, rng: np.random.Generator
+    records: Sequence[Record], name: str, task: Task, rng: np.random.Generator
 ) -> dict[str, Means]:
-    rows = [(r.room, r.category, e[task]) for r in records if task in (e := r.errors[name])]
+    rows = [(r.room, r.category, e[task]) for r in records if task in (e := r.errors.get(name, {}))]
     categories = sorted({category for _, category, _ in rows})
     return {
         "overall": means([(room, errors) for room, _, errors in rows], rng=rng),
@@ -76,29 +82,59 @@ def interval(
 
     Queries of one room hang together, so rooms are drawn, not queries.
     """
+    sums, counts, draws = _drawn([(room, (value,)) for room, value in values], rng)
+    return _middle((draws @ sums[:, 0]) / (draws @ counts))
+
+
+def relative(
+    values: Sequence[tuple[str, tuple[float, float]]], *, rng: np.random.Generator
+) -> tuple[float, float, float]:
+    """mean(one) / mean(other) − 1 of (room, (one, other)) pairs, with its interval by rooms."""
+    one, other = np.array([pair for _, pair in values]).mean(axis=0)
+    sums, _, draws = _drawn(values, rng)
+    totals = draws @ sums
+    safe = totals[totals[:, 1] > 0]
+    return float(one / other - 1), *_middle(safe[:, 0] / safe[:, 1] - 1)
+
+
+def _drawn(
+    values: Sequence[tuple[str, tuple[float, ...]]], rng: np.random.Generator
+) -> tuple[Floats, Floats, Floats]:
+    """Sums (rooms, values) and counts (rooms,) by room; how often each draw took it."""
     rooms, index = np.unique([room for room, _ in values], return_inverse=True)
-    sums = np.bincount(index, weights=[value for _, value in values])
+    numbers = np.array([number for _, number in values])
+    sums = np.zeros((len(rooms), numbers.shape[1]))
+    np.add.at(sums, index, numbers)
     counts = np.bincount(index).astype(float)
-    draws: Floats = rng.multinomial(
-        len(rooms), np.full(len(rooms), 1 / len(rooms)), size=RESAMPLES
-    ).astype(float)
-    resampled = (draws @ sums) / (draws @ counts)
+    chances = np.full(len(rooms), 1 / len(rooms))
+    return sums, counts, rng.multinomial(len(rooms), chances, size=RESAMPLES).astype(float)
+
+
+def _middle(resampled: Floats) -> tuple[float, float]:
     low, high = np.quantile(resampled, ((1 - LEVEL) / 2, (1 + LEVEL) / 2))
     return float(low), float(high)
 
 
+def both(
+    records: Sequence[Record], one: str, other: str, task: Task, measure: str
+) -> list[tuple[str, tuple[float, float]]]:
+    """(room, (error of one, error of other)) of the cases that both answer."""
+    return [
+        (record.room, (a[measure], b[measure]))
+        for record in records
+        if measure in (a := record.errors.get(one, {}).get(task, {}))
+        and measure in (b := record.errors.get(other, {}).get(task, {}))
+    ]
+
+
 def paired(
-    records: Sequence[Record], one: str, other: str, task: str, *, rng: np.random.Generator
+    records: Sequence[Record], one: str, other: str, task: Task, *, rng: np.random.Generator
 ) -> dict[str, tuple[float, float, float]]:
     """Mean difference one − other of each measure, with its interval, over cases both answer."""
     found = {}
     for measure in MEASURES:
-        values = [
-            (record.room, a[measure] - b[measure])
-            for record in records
-            if measure in (a := record.errors.get(one, {}).get(task, {}))  # type: ignore[call-overload]
-            and measure in (b := record.errors.get(other, {}).get(task, {}))  # type: ignore[call-overload]
-        ]
+        pairs = both(records, one, other, task, measure)
+        values = [(room, a - b) for room, (a, b) in pairs]
         if values:
             mean = float(np.mean([value for _, value in values]))
             found[measure] = (mean, *interval(values, rng=rng))

@@ -9,10 +9,14 @@ from functools import lru_cache
 import numpy as np
 
 from scenegen_core.evaluation.bench import Bench, Table, Task
+from scenegen_core.evaluation.retrieval import recall
 from scenegen_core.knowledge.knowledge import Knowledge
 from scenegen_core.placement.paper_model import PaperModel
 from scenegen_core.placement.proposals import inward
 from scenegen_core.scene.geometry import Floats, directions, wrapped
+
+TURN = 0.1  # metres that a radian counts for, where poses are compared as a whole
+NOT_REMEMBERED = 100.0  # ranks below every pose that a room is remembered for
 
 Score = Callable[[Bench, Table, Knowledge, np.random.Generator], Floats]
 """(bench, table, knowledge, rng) -> a score for each scored pose of the table."""
@@ -26,6 +30,8 @@ class System:
     scores: Mapping[Task, Score]
     feasible: bool = True
     """Does it look at what is possible? Only the random pose does not."""
+    needs_lessons: bool = False
+    """Does it look into the rooms that taught?"""
 
 
 def _paper(position: tuple[str, ...], orientation: tuple[str, ...], part: str) -> Score:
@@ -85,7 +91,7 @@ def _oracle(bench: Bench, table: Table, _: Knowledge, __: np.random.Generator) -
     poses = table.situation.candidates
     distance = np.hypot(*(poses.centers[:, :2] - np.array(truth.center[:2])).T)
     turn = np.abs(wrapped(poses.headings - truth.heading))
-    return np.asarray(-distance - 0.1 * turn, dtype=np.float64)
+    return np.asarray(-distance - TURN * turn, dtype=np.float64)
 
 
 def _rules(bench: Bench, table: Table, _: Knowledge, rng: np.random.Generator) -> Floats:
@@ -108,6 +114,20 @@ def _rules(bench: Bench, table: Table, _: Knowledge, rng: np.random.Generator) -
         ahead = (offset * directions(situation.candidates.headings)).sum(axis=1) / reach
         scores += 0.5 * ahead
     return np.asarray(scores, dtype=np.float64)
+
+
+def _nearest_room(bench: Bench, table: Table, _: Knowledge, __: np.random.Generator) -> Floats:
+    """The poses nearest to where such things stood in the rooms most like this one."""
+    poses = table.situation.candidates
+    scores = np.full(len(poses), -np.inf)
+    for rank, remembered in enumerate(recall(bench.case, bench.lessons)):
+        away = np.hypot(*(poses.centers[:, :2] - np.array(remembered.center)).T)
+        far = away + TURN * np.abs(wrapped(poses.headings - remembered.heading))
+        if rank == 0:
+            scores = -NOT_REMEMBERED - far
+        nearest = far.argmin()
+        scores[nearest] = max(scores[nearest], -rank)
+    return scores
 
 
 RULES: dict[str, tuple[bool, str]] = {
@@ -154,6 +174,7 @@ YARDSTICKS: tuple[System, ...] = (
     System("category_prior", {"position": _paper(("RP",), ("TC", "RP"), "position"),
                               "orientation": _paper(("RP",), ("TC", "RP"), "orientation"),
                               "joint": _paper(("RP",), ("TC", "RP"), "total")}),
+    System("nearest_room", dict.fromkeys(ALL_TASKS, _nearest_room), needs_lessons=True),
     System("rules", dict.fromkeys(ALL_TASKS, _rules)),
     System("oracle", dict.fromkeys(ALL_TASKS, _oracle)),
 )  # fmt: skip

@@ -1,0 +1,246 @@
+"""The tables of the report: the paper's ablations, the joint task, yardsticks, sources."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from scenegen_core.evaluation.bench import Task
+from scenegen_core.evaluation.names import (
+    BOUND,
+    FACTS,
+    MEASURES,
+    ORIENTATION_SYSTEMS,
+    POSITION_SYSTEMS,
+    TASKS,
+    UNITS,
+    title,
+)
+from scenegen_core.evaluation.physical import PHYSICAL
+from scenegen_core.evaluation.records import Record, Settings
+from scenegen_core.evaluation.summary import Means, means
+from scenegen_core.evaluation.tables import (
+    Cell,
+    Column,
+    Row,
+    Table,
+    best_of_column,
+    best_of_row,
+    cell,
+)
+
+CLOSE = (0.5, np.pi / 12)  # metres and radians (15°) within which a pose counts as the true one
+OVERALL = "overall"
+DISTANCES = ("top1", "top5", "spread5")
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Judged:
+    """All that a report is made from."""
+
+    settings: Settings
+    records: Sequence[Record]
+    results: Mapping[str, Any]
+    """As :func:`summary.summarize` gives it."""
+
+    def means(self, system: str, task: Task, category: str = OVERALL) -> Means:
+        """The means of a system in a task; {} if it was not asked."""
+        found: Means = self.results["models"].get(system, {}).get(task, {}).get(category, {})
+        return found
+
+    def systems(self, task: Task) -> list[str]:
+        """The systems that did a task, in their order."""
+        return [name for name, tables in self.results["models"].items() if task in tables]
+
+    @property
+    def categories(self) -> list[str]:
+        """The categories that were asked about, then "overall"."""
+        return [*sorted({record.category for record in self.records}), OVERALL]
+
+    @property
+    def sources(self) -> list[str]:
+        """The sources of the rooms, by name."""
+        return sorted({record.source for record in self.records})
+
+
+def counts(judged: Judged) -> Table:
+    """Rooms and objects by source and category."""
+    names = [name for name in judged.categories if name != OVERALL]
+    rows = []
+    for source in [*judged.sources, "all"]:
+        part = [record for record in judged.records if source in {record.source, "all"}]
+        by_category = Counter(record.category for record in part)
+        numbers = [len({r.room for r in part}), len(part), *(by_category[name] for name in names)]
+        rows.append(Row(source or "unnamed", tuple(Cell(n) for n in numbers)))
+    columns = [Column(name, "count", better="") for name in ("rooms", "objects", *names)]
+    return Table("counts", "What was judged", "", "source", tuple(columns), tuple(rows))
+
+
+def position(judged: Judged) -> Table:
+    """The paper's Table 1: metres by category, four systems, three measures."""
+    return best_of_row(
+        _by_category(
+            judged,
+            "position",
+            POSITION_SYSTEMS,
+            DISTANCES,
+            "Distance to the true place, the true heading given (the paper's Table 1), metres",
+        )
+    )
+
+
+def orientation(judged: Judged) -> Table:
+    """The paper's Table 2: radians by category, six systems."""
+    return best_of_row(
+        _by_category(
+            judged,
+            "orientation",
+            ORIENTATION_SYSTEMS,
+            ("angle",),
+            "Angle to the true heading, the true place given (the paper's Table 2), radians",
+        )
+    )
+
+
+def _by_category(
+    judged: Judged, task: Task, systems: Mapping[str, str], measures: Sequence[str], heading: str
+) -> Table:
+    asked = [name for name in systems if judged.means(name, task)]
+    names = [n for n in judged.categories if any(judged.means(s, task, n) for s in asked)]
+    columns = [Column("n", "count", better="")]
+    columns += [
+        Column(systems[name], UNITS[measure], MEASURES[measure])
+        for measure in measures
+        for name in asked
+    ]
+    rows = []
+    for category in names:
+        found = [judged.means(name, task, category) for name in asked]
+        cells = [cell(part, measure) for measure in measures for part in found]
+        rows.append(Row(category, (Cell(found[0]["n"]), *cells)))
+    return Table(task, heading, "", "category", tuple(columns), tuple(rows))
+
+
+def joint(judged: Judged) -> Table:
+    """The headline: every system, all categories, place and heading both unknown."""
+    columns = [Column(MEASURES[m], UNITS[m]) for m in ("top1", "spread5", "top5", "angle")]
+    columns.append(Column("within 0.5 m and 15°", "share", better="high"))
+    rows = []
+    for name in judged.systems("joint"):
+        found = judged.means(name, "joint")
+        cells = [cell(found, measure) for measure in ("top1", "spread5", "top5", "angle")]
+        rows.append(Row(title(name), (*cells, _close(judged, name))))
+    heading = "Place and heading both unknown, all categories"
+    note = (
+        "Angles are of what has a front that is known. A pose is within reach if its place is, and "
+        "its heading too where the front is known."
+    )
+    table = Table("joint", heading, note, "system", tuple(columns), tuple(rows))
+    return best_of_column(table, [title(BOUND)])
+
+
+def _close(judged: Judged, name: str) -> Cell:
+    """Share of poses within reach of the truth, with its interval."""
+    metres, radians = CLOSE
+    found = [(r.room, e["joint"]) for r in judged.records if "joint" in (e := r.errors[name])]
+    hits = [
+        (room, {"top1": float(e["top1"] <= metres and e.get("angle", 0.0) <= radians)})
+        for room, e in found
+    ]
+    return cell(means(hits, rng=np.random.default_rng(judged.settings.seed)), "top1")
+
+
+def joint_by_category(judged: Judged) -> tuple[Table, ...]:
+    """The joint task by category: one table a measure."""
+    return tuple(
+        _by_system(judged, "joint", measure, f"By category, {MEASURES[measure]}")
+        for measure in ("top1", "spread5", "angle")
+    )
+
+
+def yardsticks(judged: Judged) -> tuple[Table, ...]:
+    """All systems where the heading, or the place, is given."""
+    return (
+        _by_system(judged, "position", "top1", "Heading given, best place"),
+        _by_system(judged, "position", "spread5", "Heading given, nearest of 5 that differ"),
+        _by_system(judged, "orientation", "angle", "Place given, angle"),
+    )
+
+
+def _by_system(judged: Judged, task: Task, measure: str, heading: str) -> Table:
+    systems = [s for s in judged.systems(task) if measure in judged.means(s, task)]
+    names = [
+        n for n in judged.categories if any(measure in judged.means(s, task, n) for s in systems)
+    ]
+    unit = UNITS[measure]
+    rows = [
+        Row(title(s), tuple(cell(judged.means(s, task, n), measure) for n in names))
+        for s in systems
+    ]
+    unit_word = {"m": "metres", "rad": "radians"}[unit]
+    table = Table(
+        f"{task}_{measure}_by_category",
+        f"{heading}, {unit_word}",
+        "",
+        "system",
+        tuple(Column(name, unit) for name in names),
+        tuple(rows),
+    )
+    return best_of_column(table, [title(BOUND)])
+
+
+def by_source(judged: Judged) -> tuple[Table, ...]:
+    """Each task by source of the rooms, all categories."""
+    return (
+        _by_source(judged, "joint", ("top1", "spread5", "angle"), judged.systems("joint")),
+        _by_source(judged, "position", ("top1", "top5", "spread5"), POSITION_SYSTEMS),
+        _by_source(judged, "orientation", ("angle",), ORIENTATION_SYSTEMS),
+    )
+
+
+def _by_source(
+    judged: Judged, task: Task, measures: Sequence[str], systems: Sequence[str] | Mapping[str, str]
+) -> Table:
+    words = systems if isinstance(systems, Mapping) else {name: title(name) for name in systems}
+    asked = [name for name in words if name in judged.systems(task)]
+    columns, cells = [], dict[str, list[Cell]]({name: [] for name in asked})
+    for source in judged.sources:
+        part = [record for record in judged.records if record.source == source]
+        rng = np.random.default_rng(judged.settings.seed)
+        columns += [Column(MEASURES[m], UNITS[m], source or "unnamed") for m in measures]
+        for name in asked:
+            rows = [(r.room, e[task]) for r in part if task in (e := r.errors.get(name, {}))]
+            found = means(rows, rng=rng) if rows else {}
+            cells[name] += [cell(found, measure) for measure in measures]
+    table = Table(
+        f"{task}_by_source",
+        f"By source: {TASKS[task]}",
+        "",
+        "system",
+        tuple(columns),
+        tuple(Row(words[name], tuple(row)) for name, row in cells.items()),
+    )
+    return best_of_column(table, [title(BOUND)])
+
+
+def physical(judged: Judged) -> Table:
+    """Shares of answers that break a hard fact; and of the true places."""
+    rows = [
+        Row(title(name), tuple(Cell(tables["physical"][fact]) for fact in PHYSICAL))
+        for name, tables in judged.results["models"].items()
+        if "physical" in tables
+    ]
+    truth = [Cell(float(np.mean([r.truth[fact] for r in judged.records]))) for fact in PHYSICAL]
+    rows.append(Row("Where it really stood", tuple(truth)))
+    columns = tuple(Column(FACTS[fact], "share", better="") for fact in PHYSICAL)
+    note = (
+        "Runs into something: footprints share more than 2 % of the smaller, and more than 1 cm of "
+        "height; chairs at tables and rugs excepted. Leaves the room: more than 1 % of the "
+        "footprint. Stands before a door: on the square inside it. Bars a way: a door, seat, bed "
+        "or storage that a walker 0.6 m wide reached is no longer reached."
+    )
+    return Table("physical", "Hard facts, share of answers", note, "system", columns, tuple(rows))
