@@ -36,23 +36,31 @@ def checked_room(
         raise SceneError(str(error)) from None
 
 
-def with_openings(room: Room, doors: Iterable[Opening], windows: Iterable[Opening]) -> Room:
-    """The room with those of the openings that lead through its walls, put on its outline."""
-    return replace(room, doors=_through(room, doors), windows=_through(room, windows))
-
-
-def usable_openings(openings: Iterable[Opening], path: Path, report: Report) -> tuple[Opening, ...]:
-    """The openings that a room can have; the others are reported."""
-    kept: list[Opening] = []
-    for opening in openings:
-        if -LOWEST <= opening.bottom < opening.top and all(
-            map(isfinite, (*opening.start, *opening.end, opening.top))
-        ):
-            kept.append(opening)
-        else:
-            reason = f"it reaches from {opening.bottom:.2f} to {opening.top:.2f} m"
-            report(Skipped(path, f"opening {opening.id!r}", reason))
-    return tuple(kept)
+def with_openings(
+    scenes: Sequence[Scene],
+    doors: Iterable[Opening],
+    windows: Iterable[Opening],
+    path: Path,
+    report: Report,
+) -> tuple[Scene, ...]:
+    """The scenes, each with the openings in its walls, put on its outline; others are reported."""
+    doors, windows = _usable(doors, path, report), _usable(windows, path, report)
+    opened = tuple(
+        replace(
+            scene,
+            room=replace(
+                scene.room,
+                doors=_through(scene.room, doors),
+                windows=_through(scene.room, windows),
+            ),
+        )
+        for scene in scenes
+    )
+    in_walls = {opening.id for s in opened for opening in (*s.room.doors, *s.room.windows)}
+    for opening in (*doors, *windows):
+        if opening.id not in in_walls:
+            report(Skipped(path, f"opening {opening.id!r}", "it is in no wall of a room"))
+    return opened
 
 
 def furnished(
@@ -113,6 +121,20 @@ def _without_loops(corners: Sequence[Point]) -> tuple[Point, ...]:
     if drawn.equals(whole) or drawn.symmetric_difference(whole).area > LOOPS * whole.area:
         return tuple(corners)
     return tuple(rounded_point(*corner) for corner in whole.exterior.coords[:-1])
+
+
+def _usable(openings: Iterable[Opening], path: Path, report: Report) -> tuple[Opening, ...]:
+    """The openings that a room can have; the others are reported."""
+    kept: list[Opening] = []
+    for opening in openings:
+        if -LOWEST <= opening.bottom < opening.top and all(
+            map(isfinite, (*opening.start, *opening.end, opening.top))
+        ):
+            kept.append(opening)
+        else:
+            reason = f"it reaches from {opening.bottom:.2f} to {opening.top:.2f} m"
+            report(Skipped(path, f"opening {opening.id!r}", reason))
+    return tuple(kept)
 
 
 def _through(room: Room, openings: Iterable[Opening]) -> tuple[Opening, ...]:

@@ -8,7 +8,6 @@ a Java object instead of XML and are refused.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import replace
 from math import cos, sin
 from pathlib import Path
 from typing import TypeVar
@@ -24,7 +23,6 @@ from scenegen_core.datasets.plans import (
     furnished,
     rounded,
     scene_id,
-    usable_openings,
     with_openings,
 )
 from scenegen_core.datasets.remarks import Report, Skipped, usable_boxes
@@ -58,11 +56,10 @@ def read_scenes(path: Path, report: Report) -> Iterator[Scene]:
         raise DataError(f"{path} has neither rooms nor walls around one; draw its rooms.")
     boxes = _boxes(home, path, report)
     doors, windows = _openings(home, path, report)
-    for level in sorted({level for level, _ in drawn} | {level for level, _ in boxes}):
+    for level in sorted({level for level, _ in (*drawn, *boxes, *doors, *windows)}):
         usable = usable_boxes(_of(level, boxes), path, report)
-        through = [usable_openings(_of(level, kind), path, report) for kind in (doors, windows)]
-        for scene in furnished(_of(level, drawn), usable, path, report):
-            yield replace(scene, room=with_openings(scene.room, *through))
+        rooms = furnished(_of(level, drawn), usable, path, report)
+        yield from with_openings(rooms, _of(level, doors), _of(level, windows), path, report)
 
 
 def _of(level: str, things: _OnLevels[T]) -> list[T]:

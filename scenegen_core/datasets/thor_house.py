@@ -7,7 +7,6 @@ from the PyPI package procthor (``pip install "scenegen[thor]"``), which holds t
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from dataclasses import replace
 from functools import cache
 from importlib.util import find_spec
 from itertools import product
@@ -27,7 +26,6 @@ from scenegen_core.datasets.plans import (
     furnished,
     rounded_point,
     scene_id,
-    usable_openings,
     with_openings,
 )
 from scenegen_core.datasets.remarks import Report, Skipped, usable_boxes
@@ -111,11 +109,11 @@ def read_scenes(path: Path, report: Report) -> Iterator[Scene]:
     for number, house in _houses(path, report):
         walls = {wall.id: wall for wall in _each(house.walls, Wall, "wall", path, report)}
         rooms = list(_rooms(house, walls, number, path, report))
-        doors = usable_openings(_openings(house.doors, walls, path, report), path, report)
-        windows = usable_openings(_openings(house.windows, walls, path, report), path, report)
+        doors = _openings(house.doors, walls, path, report)
+        windows = _openings(house.windows, walls, path, report)
         boxes = usable_boxes(_boxes(house.objects, assets, None, path, report), path, report)
-        for scene in furnished(rooms, boxes, path, report):
-            yield replace(scene, room=with_openings(scene.room, doors, windows))
+        inside = furnished(rooms, boxes, path, report)
+        yield from with_openings(inside, doors, windows, path, report)
 
 
 @cache

@@ -95,7 +95,9 @@ def read_scenes(path: Path, report: Report) -> Iterator[Scene]:
             report(Skipped(path, f"room {room_id!r}", str(error)))
             continue
         boxes = usable_boxes(_boxes(things, room, path, report), path, report)
-        yield Scene(room, boxes, id=room_id, name=room_id, source=SOURCE)
+        scene = Scene(room, boxes, id=room_id, name=room_id, source=SOURCE)
+        windows = [_window(thing) for thing in things if thing.label == "Window"]
+        yield from with_openings([scene], (), windows, path, report)
 
 
 def _rooms(path: Path) -> Iterator[tuple[str, str, _Things]]:
@@ -139,7 +141,7 @@ def _things(raw: _Things, path: Path, report: Report) -> Iterator[Thing]:
 
 
 def _room(things: Iterable[Thing], room_type: str) -> Room:
-    """The rectangle that the objects span on the floor, with windows; SceneError if none."""
+    """The rectangle that the objects span on the floor; SceneError if none."""
     inside = [thing.corners for thing in things if thing.label not in ("Floor", *IN_WALLS)]
     floors = [thing.corners for thing in things if thing.label == "Floor"] or inside
     if not floors:
@@ -148,8 +150,7 @@ def _room(things: Iterable[Thing], room_type: str) -> Room:
     (left, low), (right, high) = _span(floors)
     west, south, east, north = max(west, left), max(south, low), min(east, right), min(north, high)
     corners = [(west, south), (east, south), (east, north), (west, north)]
-    room = checked_room([rounded_point(*c) for c in corners], room_type=room_type)
-    return with_openings(room, (), [_window(t) for t in things if t.label == "Window"])
+    return checked_room([rounded_point(*corner) for corner in corners], room_type=room_type)
 
 
 def _span(corners: Iterable[Floats]) -> Floats:
