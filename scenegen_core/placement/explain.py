@@ -46,6 +46,8 @@ class Explainer:
         step = max(1, len(possible) // REFERENCES)
         reference = model.shares(Situation(possible[::step], around))
         self._average = [_parts(share).mean(axis=0) for share in reference]
+        self.baseline = float(sum(average.sum() for average in self._average))
+        """The log score of the average possible pose: scores are told relative to it."""
 
     def explain(self, pose: Candidates) -> Explanation:
         """Why a single pose (n = 1) has its score."""

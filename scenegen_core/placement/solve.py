@@ -59,11 +59,11 @@ class Solution:
             rule = RULES[verdict] if closed is None else "path"
             text = refusal(rule, situation, closed)
             return Inspection(False, rule, None, None, text, ())
-        shown = float(likelihood(self._model.score(situation).total, self._bounds)[0])
         text = sentence(situation, self._learnt.category)
         if self._explainer is None:
-            return Inspection(True, "", None, shown, text, ())
+            return Inspection(True, "", None, None, text, ())
         why = self._explainer.explain(pose)
+        shown = float(likelihood(np.array([why.score]), self._bounds)[0])
         return Inspection(True, "", why.score, shown, text, why.reasons)
 
 
@@ -97,10 +97,11 @@ def solve(
     possible = np.flatnonzero(verdict == ALLOWED)
     scores = _scores(model, proposals, possible, around)
     keep_going()
+    explainer = Explainer(model, around, proposals.candidates[possible]) if len(possible) else None
+    scores -= explainer.baseline if explainer else 0.0
     bounds = scale(scores[possible])
     rng = np.random.default_rng(query.seed)
     choice = choose(proposals, scores, walking, count=query.count, rng=rng, keep_going=keep_going)
-    explainer = Explainer(model, around, proposals.candidates[possible]) if len(possible) else None
     answer = Answer(
         category=query.category,
         size=size,
