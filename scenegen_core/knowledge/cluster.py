@@ -17,7 +17,7 @@ RETRIES = 5  # tries of a batch whose worker died; the same batch gives the same
 
 
 @contextmanager
-def dask_mapper(address: str, workers: int) -> Iterator[Mapper]:
+def dask_mapper(address: str, workers: int, *, patience: str = "10s") -> Iterator[Mapper]:
     """A mapper on the scheduler at ``address``, or on ``workers`` processes here for LOCAL.
 
     Results come in order whichever worker made them, so the knowledge is the same to the bit. A
@@ -38,7 +38,7 @@ def dask_mapper(address: str, workers: int) -> Iterator[Mapper]:
             yield _mapper(client)
         return
     try:
-        client = Client(address, timeout="10s")
+        client = Client(address, timeout=patience)
     except (OSError, ValueError) as error:
         raise DataError(
             f"There is no dask scheduler at {address} ({error}); start one with dask scheduler."
