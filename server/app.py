@@ -14,6 +14,7 @@ from starlette.responses import FileResponse, JSONResponse, Response
 from starlette.routing import Mount, Route, WebSocketRoute
 
 from scenegen_core.errors import SceneGenError
+from scenegen_core.knowledge.marginals import marginals
 from server.engine import Engine
 from server.exports import Exports
 from server.live import Live
@@ -41,6 +42,7 @@ def make_app(settings: Settings, world: World) -> Starlette:
             Route("/rooms", files.rooms),
             Route("/rooms/{id}.json", files.room),
             Route("/assets/{digest}.glb", files.asset),
+            Route("/knowledge.json", files.knowledge),
             Route("/scenes/check", exports.check_scene, methods=["POST"]),
             Route("/export/room.glb", exports.room, methods=["POST"]),
             Route("/export/heat-map.png", exports.heat_map, methods=["POST"]),
@@ -77,6 +79,10 @@ class Files:
             raise HTTPException(404, "There is no such model; put its box again.")
         headers = {"Cache-Control": FOREVER}
         return Response(glb, media_type="model/gltf-binary", headers=headers)
+
+    async def knowledge(self, _: Request) -> Response:
+        """What is known of each category, with the counts behind it."""
+        return _json(marginals(self._world.knowledge))
 
     async def health(self, _: Request) -> Response:
         """That the server is up."""

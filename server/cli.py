@@ -16,6 +16,7 @@ COMMANDS = {
     "graph": "write the scene graph of a room",
     "convert": "read rooms of any format; write them as a scene or as rows",
     "learn": "learn knowledge from files of rooms",
+    "inspect": "draw what knowledge says of each category",
     "evaluate": "say how good it is: take objects out of rooms and ask where they go",
 }
 

@@ -16,6 +16,7 @@ from scenegen_core.evaluation.names import (
     TASKS,
     UNITS,
     title,
+    with_unit,
 )
 from scenegen_core.evaluation.published import ORIENTATION, POSITION
 from scenegen_core.evaluation.report_tables import Judged
@@ -120,7 +121,7 @@ def differences(judged: Judged, one: str = "paper") -> Table:
         cells = tuple(Cell(*found[task].get(measure, ())) for task, measure in ASKED)
         if any(c.value is not None for c in cells):
             rows.append(Row(title(name), cells))
-    columns = tuple(Column(MEASURES[m], UNITS[m], TASKS[task], better="") for task, m in ASKED)
+    columns = tuple(Column(with_unit(m), UNITS[m], TASKS[task], better="") for task, m in ASKED)
     note = "Below 0: nearer to the truth than the system of the row, on the same objects."
     heading = f"Paired differences: “{title(one)}” minus each other system"
     return Table("differences", heading, note, "minus", columns, tuple(rows))

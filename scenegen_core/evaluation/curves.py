@@ -19,7 +19,7 @@ from scenegen_core.evaluation.names import (
 )
 from scenegen_core.evaluation.records import Record
 
-SIZE = (5.2, 3.6)  # inches
+SIZE = (5.2, 4.4)  # inches
 FAR = 5.0  # metres; few rooms are larger than that to either side
 
 JOINT_SYSTEMS = {
@@ -85,5 +85,5 @@ def draw(curves: Curves, records: Sequence[Record]) -> str | None:
             title=f"{MEASURES[curves.measure].capitalize()} ({TASKS[curves.task]})",
         )
         axes.grid(alpha=0.25)
-        axes.legend(loc="lower right", frameon=False)
+        drawn.legend(loc="outside lower center", ncols=2, frameon=False)
         return svg(drawn)

@@ -54,6 +54,11 @@ FACTS = {
 }
 
 
+def with_unit(measure: str) -> str:
+    """A measure in words with its unit, for tables that mix units."""
+    return f"{MEASURES[measure]},\N{NO-BREAK SPACE}{UNITS[measure]}"
+
+
 def title(system: str) -> str:
     """A system in words; ablations keep the paper's abbreviations."""
     return TITLES.get(system, system)

@@ -13,7 +13,7 @@ CSS = """
 @media (prefers-color-scheme: dark) { :root { --ink: #ececf1; --soft: #a5a7b0; --line: #3a3c44;
   --paper: #17181c; --band: #202228; --link: #8ab4f8; } }
 * { box-sizing: border-box; }
-body { margin: 0 auto; padding: 1.5rem clamp(1rem, 4vw, 3rem) 4rem; max-width: 78rem;
+body { margin: 0 auto; padding: 1.5rem clamp(1rem, 4vw, 3rem) 4rem; max-width: 84rem;
   background: var(--paper); color: var(--ink); font: 1rem/1.5 system-ui, sans-serif; }
 h1 { font-size: 1.75rem; line-height: 1.2; margin: 0 0 .5rem; }
 h2 { font-size: 1.3rem; margin: 2.5rem 0 .5rem; padding-top: .75rem;
@@ -26,15 +26,17 @@ nav ul { display: flex; flex-wrap: wrap; gap: .25rem 1rem; padding: 0; list-styl
 .headline { font-size: 1.15rem; }
 .scroll { overflow-x: auto; max-width: 100%; }
 table { border-collapse: collapse; font-size: .875rem; font-variant-numeric: tabular-nums; }
-th, td { padding: .3rem .55rem; text-align: right; white-space: nowrap; vertical-align: top; }
-thead th { color: var(--soft); font-weight: 600; border-bottom: 1px solid var(--line); }
+th, td { padding: .3rem .4rem; text-align: right; white-space: nowrap; vertical-align: top; }
+thead th { color: var(--soft); font-weight: 600; vertical-align: bottom;
+  white-space: normal; border-bottom: 1px solid var(--line); }
+thead th:not([scope=row], .group) { max-width: 7.5rem; }
 thead th.group { text-align: center; }
 th[scope=row] { position: sticky; left: 0; background: var(--paper); text-align: left;
-  font-weight: 500; white-space: normal; min-width: 7rem; max-width: 14rem; }
+  font-weight: 500; white-space: normal; min-width: 6.5rem; max-width: 14rem; }
 tbody tr + tr > * { border-top: 1px solid var(--line); }
 tbody tr.overall > * { background: var(--band); }
 .first { border-left: 1px solid var(--line); }
-td small { display: block; color: var(--soft); font-size: .72rem; font-weight: 400; }
+td small { display: block; color: var(--soft); font-size: .7rem; font-weight: 400; }
 td.best { font-weight: 700; }
 .beside { display: flex; flex-wrap: wrap; gap: 0 2.5rem; }
 .beside > * { max-width: 100%; min-width: 0; }
@@ -43,7 +45,8 @@ td.best { font-weight: 700; }
 .plots figure { margin: 0; background: #fff; border: 1px solid var(--line); border-radius: .5rem;
   padding: .5rem; }
 .plots svg { display: block; width: 100%; height: auto; }
-.wide figure { grid-column: 1 / -1; }
+.wide { display: block; max-width: 46rem; }
+.wide + details { margin-top: .5rem; }
 """
 
 

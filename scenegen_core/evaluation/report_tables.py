@@ -19,6 +19,7 @@ from scenegen_core.evaluation.names import (
     TASKS,
     UNITS,
     title,
+    with_unit,
 )
 from scenegen_core.evaluation.physical import PHYSICAL
 from scenegen_core.evaluation.records import Record, Settings
@@ -127,7 +128,7 @@ def _by_category(
 
 def joint(judged: Judged) -> Table:
     """The headline: every system, all categories, place and heading both unknown."""
-    columns = [Column(MEASURES[m], UNITS[m]) for m in ("top1", "spread5", "top5", "angle")]
+    columns = [Column(with_unit(m), UNITS[m]) for m in ("top1", "spread5", "top5", "angle")]
     columns.append(Column("within 0.5 m and 15°", "share", better="high"))
     rows = []
     for name in judged.systems("joint"):
@@ -211,7 +212,7 @@ def _by_source(
     for source in judged.sources:
         part = [record for record in judged.records if record.source == source]
         rng = np.random.default_rng(judged.settings.seed)
-        columns += [Column(MEASURES[m], UNITS[m], source or "unnamed") for m in measures]
+        columns += [Column(with_unit(m), UNITS[m], source or "unnamed") for m in measures]
         for name in asked:
             rows = [(r.room, e[task]) for r in part if task in (e := r.errors.get(name, {}))]
             found = means(rows, rng=rng) if rows else {}

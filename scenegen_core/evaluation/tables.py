@@ -77,7 +77,7 @@ def number(value: float, unit: Unit) -> str:
     """A number as it is printed."""
     match unit:
         case "m" | "rad":
-            return f"{value:.2f}".replace("-", "−")
+            return f"{round(value, 2) + 0.0:.2f}".replace("-", "−")  # + 0.0: no negative zero
         case "share":
             return f"{100 * value:.1f} %"
         case "change":
