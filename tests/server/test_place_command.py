@@ -190,9 +190,9 @@ def test_it_runs_as_a_program() -> None:
 
 SQUARE = [[0, 0], [4, 0], [4, 4], [0, 4]]
 BAD_FILES: dict[str, tuple[str, str]] = {
-    "half a JSON": (json.dumps(SCENE)[:400], "a scene file"),
-    "nothing": ("", "a scene file"),
-    "another JSON": ("[1, 2, 3]", "a scene file"),
+    "half a JSON": (json.dumps(SCENE)[:400], "room.json"),
+    "nothing": ("", "room.json"),
+    "another JSON": ("[1, 2, 3]", "room.json"),
     "an outline of two corners": (
         json.dumps(SCENE | {"room": {"corners": [[0, 0], [4, 0]]}}),
         "$.room.corners",
@@ -265,7 +265,7 @@ def test_a_bad_file_is_refused_in_one_sentence(
         ((LIVING_ROOM,), "--add"),
         ((LIVING_ROOM.parent, "--add", "sofa"), "is a folder"),
         ((LIVING_ROOM.parent / "none.json", "--add", "sofa"), "There is no file"),
-        ((Path(__file__), "--add", "sofa"), "a scene file"),
+        ((Path(__file__), "--add", "sofa"), "test_place_command.py"),
         ((LIVING_ROOM, "--add", "sofa", "--knowledge", LIVING_ROOM), "knowledge"),
         ((LIVING_ROOM, "--add", "sofa", "--room-id", "attic"), "attic"),
         ((LIVING_ROOM, "--add", "chair", "--glb", "/no/such/folder/x.glb"), "cannot be written"),
