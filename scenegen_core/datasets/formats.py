@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from scenegen_core.datasets import (
+    ifc,
     matterport,
     mruk,
     quest,
@@ -48,6 +49,7 @@ FORMATS = (
     Format("procthor", "houses of ProcTHOR", thor_house.recognizes, thor_house.read_scenes),
     Format("ai2thor", "objects of AI2-THOR", thor_metadata.recognizes, thor_metadata.read_scenes),
     Format("matterport", "a house of Matterport3D", matterport.recognizes, matterport.read_scenes),
+    Format("ifc", "a building model (IFC)", ifc.recognizes, ifc.read_scenes),
 )
 """In the order they are tried; at most one recognizes a file."""
 

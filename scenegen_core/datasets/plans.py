@@ -5,17 +5,19 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from dataclasses import replace
 from itertools import chain
-from math import inf, isfinite
+from math import cos, inf, isfinite, sin
 from pathlib import Path
 
 import msgspec
+import numpy as np
 from shapely import LineString, Polygon, get_parts, make_valid, union_all
 from shapely import Point as ShapelyPoint
 
 from scenegen_core.datasets.remarks import Report, Skipped
 from scenegen_core.errors import SceneError
 from scenegen_core.scene.files import RoomRecord, room_of
-from scenegen_core.scene.model import DEFAULT_HEIGHT, Box, Opening, Point, Room, Scene
+from scenegen_core.scene.frames import Floats
+from scenegen_core.scene.model import DEFAULT_HEIGHT, Box, Opening, Point, Room, Scene, Vector3
 
 BESIDE = 0.3  # metres; half of a thick wall: openings in it are that far from the rooms' outlines
 HALF_HIDDEN = 0.5  # share of an opening's width; with less before it, a room is not beside it
@@ -73,13 +75,11 @@ def furnished(
     outlines = [Polygon(scene.room.corners) for scene in scenes]
     inside: list[list[Box]] = [[] for _ in scenes]
     for box in boxes:
-        center = ShapelyPoint(box.center[:2])
-        near = min((outline.distance(center) for outline in outlines), default=inf)
-        around = [i for i, outline in enumerate(outlines) if outline.distance(center) <= near]
-        if near <= IN_WALL:
-            inside[min(around, key=lambda i: outlines[i].area)].append(box)
-        else:
+        index = outline_around(box.center, outlines)
+        if index is None:
             report(Skipped(path, f"object {box.id!r}", "it stands in no room"))
+        else:
+            inside[index].append(box)
     return tuple(
         replace(scene, boxes=tuple(found)) for scene, found in zip(scenes, inside, strict=True)
     )
@@ -93,6 +93,44 @@ def between_walls(walls: Iterable[tuple[Point, Point, float]]) -> list[list[Poin
     )
     holes = [Polygon(hole) for body in get_parts(bodies) for hole in body.interiors]
     return [[rounded_point(*corner) for corner in hole.exterior.coords[:-1]] for hole in holes]
+
+
+def outline_around(center: Vector3, outlines: Sequence[Polygon]) -> int | None:
+    """The number of the smallest outline that a center lies in; None if it lies in none."""
+    point = ShapelyPoint(center[:2])
+    distances = [outline.distance(point) for outline in outlines]
+    near = min(distances, default=inf)
+    around = [i for i, distance in enumerate(distances) if distance <= near <= IN_WALL]
+    return min(around, key=lambda i: outlines[i].area, default=None)
+
+
+def upright_box(
+    box_id: str,
+    category: str,
+    points: Floats,
+    heading: float,
+    *,
+    label: str = "",
+    front_known: bool = True,
+    parent: str | None = None,
+) -> Box:
+    """The smallest upright box of that heading round points (n, 3) of the core frame, metres."""
+    forward, left = (cos(heading), sin(heading), 0.0), (-sin(heading), cos(heading), 0.0)
+    axes = np.array([forward, left, (0.0, 0.0, 1.0)])
+    along = points @ axes.T
+    low, high = along.min(axis=0), along.max(axis=0)
+    x, y, z = rounded((low + high) / 2 @ axes)
+    depth, width, height = rounded(high - low)
+    return Box(
+        id=box_id,
+        category=category,
+        center=(x, y, z),
+        size=(depth, width, height),
+        heading=heading,
+        label=label,
+        front_known=front_known,
+        parent=parent,
+    )
 
 
 def scene_id(path: Path, *parts: str) -> str:

@@ -1,15 +1,15 @@
-"""Shared by houses of ProcTHOR and rooms of AI2-THOR: Unity's values, and upright boxes of them."""
+"""Shared by houses of ProcTHOR and rooms of AI2-THOR: Unity's values."""
 
 from __future__ import annotations
 
-from math import cos, radians, sin
+from math import radians
 
 import numpy as np
 from msgspec import Struct
 
 from scenegen_core.datasets.plans import rounded
 from scenegen_core.scene.frames import Floats, heading_of_unity_turn, unity_to_core
-from scenegen_core.scene.model import PAPER_CATEGORIES, Box, Point, Symmetry
+from scenegen_core.scene.model import PAPER_CATEGORIES, Point, Symmetry
 
 SOURCE = "thor"
 FACES_SOMEWHERE = {c.name for c in PAPER_CATEGORIES if c.symmetry is not Symmetry.SYMMETRIC}
@@ -37,32 +37,3 @@ def plan_of(value: XYZ) -> Point:
 def heading_of(rotation: XYZ) -> float:
     """The heading of a model that looks along Unity's +z before it is turned, radians."""
     return heading_of_unity_turn(radians(rotation.y))
-
-
-def upright_box(
-    box_id: str,
-    category: str,
-    corners: Floats,
-    heading: float,
-    *,
-    label: str = "",
-    front_known: bool = True,
-    parent: str | None = None,
-) -> Box:
-    """The smallest upright box of that heading round points (n, 3) of Unity, metres."""
-    forward, left = (cos(heading), sin(heading), 0.0), (-sin(heading), cos(heading), 0.0)
-    axes = np.array([forward, left, (0.0, 0.0, 1.0)])
-    along = unity_to_core(corners) @ axes.T
-    low, high = along.min(axis=0), along.max(axis=0)
-    x, y, z = rounded((low + high) / 2 @ axes)
-    depth, width, height = rounded(high - low)
-    return Box(
-        id=box_id,
-        category=category,
-        center=(x, y, z),
-        size=(depth, width, height),
-        heading=heading,
-        label=label,
-        front_known=front_known,
-        parent=parent,
-    )

@@ -26,11 +26,13 @@ from scenegen_core.datasets.plans import (
     furnished,
     rounded_point,
     scene_id,
+    upright_box,
     with_openings,
 )
 from scenegen_core.datasets.remarks import Report, Skipped, usable_boxes
-from scenegen_core.datasets.thor import SOURCE, XYZ, heading_of, plan_of, upright_box, vector_of
+from scenegen_core.datasets.thor import SOURCE, XYZ, heading_of, plan_of, vector_of
 from scenegen_core.errors import DataError, SceneError
+from scenegen_core.scene.frames import unity_to_core
 from scenegen_core.scene.model import DEFAULT_HEIGHT, Box, Opening, Scene
 
 DATABASE = Path("databases", "asset-database.json")
@@ -227,7 +229,7 @@ def _box(thing: Thing, asset: Asset, category: str, parent: str | None) -> Box:
     return upright_box(
         thing.id,
         category,
-        corners,
+        unity_to_core(corners),
         heading_of(thing.rotation),
         label=asset.object_type,
         parent=parent,

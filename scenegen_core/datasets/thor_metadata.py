@@ -21,14 +21,19 @@ from shapely import Polygon
 
 from scenegen_core.datasets.contents import Head, content
 from scenegen_core.datasets.labels import category_of
-from scenegen_core.datasets.plans import checked_room, rounded_point, scene_id, with_openings
+from scenegen_core.datasets.plans import (
+    checked_room,
+    rounded_point,
+    scene_id,
+    upright_box,
+    with_openings,
+)
 from scenegen_core.datasets.remarks import Report, Skipped, usable_boxes
 from scenegen_core.datasets.thor import (
     FACES_SOMEWHERE,
     SOURCE,
     XYZ,
     heading_of,
-    upright_box,
 )
 from scenegen_core.errors import DataError, SceneError
 from scenegen_core.scene.frames import Floats, unity_to_core
@@ -198,7 +203,7 @@ def _box(thing: Thing, category: str, heading: float) -> Box:
     return upright_box(
         thing.id,
         category,
-        thing.corners,
+        unity_to_core(thing.corners),
         heading,
         label=thing.label,
         front_known=category in FACES_SOMEWHERE,
