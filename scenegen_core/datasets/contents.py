@@ -9,9 +9,10 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from functools import cached_property
 from pathlib import Path
-from typing import IO, cast
+from typing import IO, Annotated, cast
 
 import msgspec
+from msgspec import Meta
 
 from scenegen_core.errors import DataError
 
@@ -25,6 +26,9 @@ ZIP = b"PK\x03\x04"
 BOM = b"\xef\xbb\xbf"  # some programs begin their text with it
 BROKEN_JSON = (msgspec.DecodeError, UnicodeDecodeError, RecursionError)
 """What reading JSON raises when it is wrong; the last when it is nested without end."""
+
+Measured = Annotated[float, Meta(ge=-100_000, le=100_000)]
+"""Metres or degrees in a file; beyond that a number is a mistake, and products overflow."""
 
 Fields = dict[str, msgspec.Raw]
 

@@ -12,8 +12,9 @@ from shapely import Polygon
 
 from scenegen_core.datasets.labels import category_of, faces_somewhere
 from scenegen_core.datasets.outlines import NEAR_OUTLINE, OUTSIDE, on_outline
-from scenegen_core.datasets.remarks import Report, Skipped, usable_boxes, usable_room
-from scenegen_core.scene.model import Box, Opening, Point, Room, Scene, Vector3
+from scenegen_core.datasets.plans import checked_room
+from scenegen_core.datasets.remarks import Report, Skipped, usable_boxes, usable_openings
+from scenegen_core.scene.model import Box, Opening, Point, Scene, Vector3
 
 FLOOR_SLACK = 0.1  # metres; a headset's boxes miss the floor by less, things on tables by more
 PANEL_DEPTH = 0.02  # metres; a headset measures pictures and flat screens as planes
@@ -58,7 +59,7 @@ class Seen:
 
 def scene_of(seen: Seen, path: Path, report: Report) -> Scene:
     """The room; what lies too far outside of it is reported. SceneError if it has no outline."""
-    room = usable_room(Room(corners=seen.corners, height=round(seen.ceiling - seen.floor, 3)))
+    room = checked_room(seen.corners, height=round(seen.ceiling - seen.floor, 3))
     outline = Polygon(room.corners)
     room = replace(
         room,
@@ -88,7 +89,7 @@ def _openings(
 ) -> tuple[Opening, ...]:
     """The doors or windows on the outline; the others are reported."""
     frames = panels_of(seen.things, labels)
-    found = [
+    numbered = (
         Opening(
             frame.start,
             frame.end,
@@ -97,8 +98,9 @@ def _openings(
             id=f"{kind}-{number}",
         )
         for number, frame in enumerate(frames, start=1)
-    ]
-    kept = on_outline((opening for opening in found if opening.top > opening.bottom), outline)
+    )
+    found = usable_openings(numbered, path, report)
+    kept = on_outline(found, outline)
     for opening in found:
         if opening.id not in {other.id for other in kept}:
             report(Skipped(path, f"{kind} {opening.id!r}", OUTSIDE))

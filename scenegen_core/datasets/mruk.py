@@ -17,14 +17,18 @@ import numpy as np
 from msgspec import Struct
 from scipy.spatial.transform import Rotation
 
-from scenegen_core.datasets.contents import BROKEN_JSON, Head, content, fields_of
+from scenegen_core.datasets.contents import BROKEN_JSON, Head, Measured, content, fields_of
 from scenegen_core.datasets.headset import WALLS, Block, Panel, Seen, panels_of, scene_of
 from scenegen_core.datasets.labels import categories_of
-from scenegen_core.datasets.outlines import outline_of
+from scenegen_core.datasets.outlines import outline_of, point_of
+from scenegen_core.datasets.plans import scene_id
 from scenegen_core.datasets.remarks import Report, Skipped
 from scenegen_core.errors import DataError, SceneError, SceneGenError
 from scenegen_core.scene.frames import Floats, unity_to_core
-from scenegen_core.scene.model import DEFAULT_HEIGHT, Point, Scene, Vector3
+from scenegen_core.scene.model import DEFAULT_HEIGHT, Scene, Vector3
+
+Pair = tuple[Measured, Measured]
+Triple = tuple[Measured, Measured, Measured]
 
 UNITY = "Unity"
 HANGING = ("Picture", "TV")  # what may be there as a plane alone
@@ -35,24 +39,24 @@ LYING = (FLOOR, CEILING, "GLOBAL_MESH")  # neither upright panels nor furniture
 class Transform(Struct, frozen=True, rename="pascal"):
     """Where the anchor's own frame lies in the scene's."""
 
-    translation: Vector3
-    rotation: Vector3
+    translation: Triple
+    rotation: Triple
     """Degrees about x, y and z; Unity turns about z first, then x, then y."""
-    scale: Vector3 = (1.0, 1.0, 1.0)
+    scale: Triple = (1.0, 1.0, 1.0)
 
 
 class Rectangle(Struct, frozen=True, rename="pascal"):
     """The lowest and highest corner of a plane in its own frame, metres."""
 
-    min: Point
-    max: Point
+    min: Pair
+    max: Pair
 
 
 class Cuboid(Struct, frozen=True, rename="pascal"):
     """The lowest and highest corner of a volume in its own frame, metres."""
 
-    min: Vector3
-    max: Vector3
+    min: Triple
+    max: Triple
 
 
 class Anchor(Struct, frozen=True, rename="pascal"):
@@ -63,7 +67,7 @@ class Anchor(Struct, frozen=True, rename="pascal"):
     semantic_classifications: tuple[str, ...] = ()
     plane_bounds: Rectangle | None = None
     volume_bounds: Cuboid | None = None
-    boundary: tuple[Point, ...] = msgspec.field(name="PlaneBoundary2D", default=())
+    boundary: tuple[Pair, ...] = msgspec.field(name="PlaneBoundary2D", default=())
 
     @property
     def label(self) -> str:
@@ -110,8 +114,8 @@ def read_scenes(path: Path, report: Report) -> Iterator[Scene]:
             continue
         yield replace(
             scene,
-            id=f"{path.stem}/{number}" if several else path.stem,
-            name=f"{path.stem} {number}" if several else path.stem,
+            id=scene_id(path, str(number)) if several else scene_id(path),
+            name=scene_id(path),
         )
 
 
@@ -123,7 +127,7 @@ def _scene(saved: SavedRoom, path: Path, report: Report) -> Scene:
     floors = [_corners(anchor) for anchor in anchors if anchor.label == FLOOR]
     ceilings = [_corners(anchor)[:, 2].mean() for anchor in anchors if anchor.label == CEILING]
     if floors:
-        corners = tuple(_point(corner) for corner in floors[0])
+        corners = tuple(point_of(corner) for corner in floors[0])
         floor = float(floors[0][:, 2].mean())
     else:
         corners = outline_of([(wall.start, wall.end) for wall in walls])
@@ -160,8 +164,8 @@ def _panel(anchor: Anchor, plane: Rectangle) -> Panel:
     ends = _placed(anchor, np.array([[left, low, 0.0], [right, high, 0.0]]))
     return Panel(
         label=anchor.label,
-        start=_point(ends[0]),
-        end=_point(ends[1]),
+        start=point_of(ends[0]),
+        end=point_of(ends[1]),
         bottom=float(ends[:, 2].min()),
         top=float(ends[:, 2].max()),
         heading=_heading(anchor, (0.0, 0.0, 1.0)),
@@ -206,8 +210,3 @@ def _heading(anchor: Anchor, front: Vector3) -> float:
 def _turn(anchor: Anchor) -> Rotation:
     x, y, z = anchor.transform.rotation
     return Rotation.from_euler("YXZ", [y, x, z], degrees=True)
-
-
-def _point(position: Floats) -> Point:
-    """The plan of a position (3,), to a tenth of a millimetre."""
-    return round(float(position[0]), 4), round(float(position[1]), 4)

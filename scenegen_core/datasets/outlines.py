@@ -11,12 +11,18 @@ from shapely import LineString, Polygon
 from shapely import Point as ShapelyPoint
 
 from scenegen_core.errors import DataError
+from scenegen_core.scene.frames import Floats
 from scenegen_core.scene.model import Opening, Point
 
 NEAR_OUTLINE = 0.5  # metres; what lies further outside was seen through a door or a window
 OUTSIDE = "lies outside of the room; it was seen through an opening"
 
 Segment = tuple[Point, Point]
+
+
+def point_of(position: Sequence[float] | Floats) -> Point:
+    """The plan of a position (2 or 3,), to a tenth of a millimetre."""
+    return round(float(position[0]), 4), round(float(position[1]), 4)
 
 
 def outline_of(walls: Sequence[Segment]) -> tuple[Point, ...]:
@@ -34,7 +40,7 @@ def outline_of(walls: Sequence[Segment]) -> tuple[Point, ...]:
         rest = [pair for pair in rest if set(pair) != set(following)]
         chain.append(following)
     meeting = zip(chain, (*chain[1:], chain[0]), strict=True)
-    corners = tuple(_rounded(np.mean([one[1], other[0]], axis=0)) for one, other in meeting)
+    corners = tuple(point_of(np.mean([one[1], other[0]], axis=0)) for one, other in meeting)
     return corners if Polygon(corners).exterior.is_ccw else corners[::-1]
 
 
@@ -44,15 +50,10 @@ def on_outline(openings: Iterable[Opening], outline: Polygon) -> tuple[Opening, 
 
     def moved(point: Point) -> Point:
         on_wall = walls.interpolate(walls.project(ShapelyPoint(point)))
-        return _rounded((on_wall.x, on_wall.y))
+        return point_of((on_wall.x, on_wall.y))
 
     return tuple(
         replace(opening, start=moved(opening.start), end=moved(opening.end))
         for opening in openings
         if LineString([opening.start, opening.end]).centroid.distance(walls) <= NEAR_OUTLINE
     )
-
-
-def _rounded(point: Sequence[float]) -> Point:
-    """A point to a tenth of a millimetre."""
-    return round(float(point[0]), 4), round(float(point[1]), 4)

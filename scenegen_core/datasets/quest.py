@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import argparse
 import sys
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import replace
 from pathlib import Path
 
@@ -27,6 +27,7 @@ from scenegen_core.datasets.headset import (
 )
 from scenegen_core.datasets.labels import categories_of
 from scenegen_core.datasets.outlines import outline_of
+from scenegen_core.datasets.plans import scene_id
 from scenegen_core.datasets.quest_capture import Capture, Entity, block_of, floor_of, panel_of
 from scenegen_core.datasets.remarks import Remark, Report, Skipped
 from scenegen_core.errors import DataError
@@ -50,11 +51,12 @@ def recognizes(head: Head) -> bool:
 
 def read_scenes(path: Path, report: Report) -> Iterator[Scene]:
     """The one room of a capture, named after its file; DataError says what is wrong with it."""
-    name, room_type = ROOMS.get(path.stem, (in_words(path.stem), ""))
+    name, room_type = ROOMS.get(path.stem, (in_words(scene_id(path)), ""))
     try:
-        entities = msgspec.json.decode(content(path), type=Capture).entities
+        capture = msgspec.json.decode(content(path), type=Capture)
     except BROKEN_JSON as error:
         raise DataError(f"{path} is not a capture of a room: {error}.") from None
+    entities = list(_entities(capture, path, report))
     floor = floor_of(entities)
     things = tuple(_things(entities, path, report))
     walls = panels_of(things, WALLS)
@@ -66,10 +68,21 @@ def read_scenes(path: Path, report: Report) -> Iterator[Scene]:
         source="quest",
     )
     scene = scene_of(seen, path, report)
-    yield replace(scene, id=path.stem, name=name, room=replace(scene.room, room_type=room_type))
+    yield replace(
+        scene, id=scene_id(path), name=name, room=replace(scene.room, room_type=room_type)
+    )
 
 
-def _things(entities: tuple[Entity, ...], path: Path, report: Report) -> Iterator[Panel | Block]:
+def _entities(capture: Capture, path: Path, report: Report) -> Iterator[Entity]:
+    """The usable entities; the others are reported."""
+    for number, raw in enumerate(capture.entities, start=1):
+        try:
+            yield msgspec.json.decode(raw, type=Entity)
+        except BROKEN_JSON as error:
+            report(Skipped(path, f"entity {number}", str(error)))
+
+
+def _things(entities: Iterable[Entity], path: Path, report: Report) -> Iterator[Panel | Block]:
     """What the entities show, without those that have no size, which are reported.
 
     A table's top is also there as a plane, so of the furniture planes count for pictures only.

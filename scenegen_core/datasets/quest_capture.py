@@ -7,6 +7,7 @@ volume is z-up in its own frame and its front looks along −y.
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from math import atan2
 
 import msgspec
@@ -14,35 +15,36 @@ import numpy as np
 from msgspec import Struct
 from scipy.spatial.transform import Rotation
 
+from scenegen_core.datasets.contents import Measured
 from scenegen_core.datasets.headset import Block, Panel
+from scenegen_core.datasets.outlines import point_of
 from scenegen_core.errors import DataError
 from scenegen_core.scene.frames import Floats, to_core
-from scenegen_core.scene.model import Point
 
 
 class XYZ(Struct, frozen=True):
     """A position or an offset, metres."""
 
-    x: float
-    y: float
-    z: float = 0.0
+    x: Measured
+    y: Measured
+    z: Measured = 0.0
 
 
 class Quaternion(Struct, frozen=True):
     """A turn."""
 
-    x: float
-    y: float
-    z: float
-    w: float
+    x: Measured
+    y: Measured
+    z: Measured
+    w: Measured
 
 
 class Extent(Struct, frozen=True):
     """Full sizes along the entity's own x, y and z, metres."""
 
-    width: float
-    height: float
-    depth: float = 0.0
+    width: Measured
+    height: Measured
+    depth: Measured = 0.0
 
 
 class Pose(Struct, frozen=True):
@@ -71,10 +73,10 @@ class Entity(Struct, frozen=True):
 class Capture(Struct, frozen=True):
     """A whole file."""
 
-    entities: tuple[Entity, ...] = msgspec.field(name="spatialEntities")
+    entities: tuple[msgspec.Raw, ...] = msgspec.field(name="spatialEntities")
 
 
-def floor_of(entities: tuple[Entity, ...]) -> float:
+def floor_of(entities: Iterable[Entity]) -> float:
     """The height of the floor in the capture's frame, metres."""
     heights = [e.pose.position.y for e in entities if e.label == "FLOOR"]
     if not heights:
@@ -92,8 +94,8 @@ def panel_of(entity: Entity) -> Panel:
     middle = entity.pose.position.y
     return Panel(
         label=entity.label,
-        start=_point(ends[0]),
-        end=_point(ends[1]),
+        start=point_of(ends[0]),
+        end=point_of(ends[1]),
         bottom=middle - height / 2,
         top=middle + height / 2,
         heading=_heading(entity),
@@ -123,7 +125,10 @@ def _placed(entity: Entity, local: Floats) -> Floats:
 
 def _turn(entity: Entity) -> Rotation:
     turn = entity.pose.orientation
-    return Rotation.from_quat([turn.x, turn.y, turn.z, turn.w])
+    try:
+        return Rotation.from_quat([turn.x, turn.y, turn.z, turn.w])
+    except ValueError:
+        raise DataError(f"This {entity.label} of the capture has no direction.") from None
 
 
 def _vector(value: XYZ) -> Floats:
@@ -135,8 +140,3 @@ def _heading(entity: Entity) -> float:
     """Where an entity looks: along its own −y, radians."""
     x, y, _ = to_core(_turn(entity).apply(np.array([0.0, -1.0, 0.0])))
     return atan2(y, x)
-
-
-def _point(position: Floats) -> Point:
-    """The plan of a position (3,), to a tenth of a millimetre."""
-    return round(float(position[0]), 4), round(float(position[1]), 4)

@@ -1,6 +1,6 @@
 """What readers say while they read: each thing left out, each label that nobody has reviewed.
 
-And the checks that every reader makes before it hands on a room or a box.
+And the checks that every reader makes before it hands on a box or an opening.
 """
 
 from __future__ import annotations
@@ -8,21 +8,14 @@ from __future__ import annotations
 import logging
 from collections import Counter
 from collections.abc import Callable, Iterable, Iterator, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import asdict, dataclass, replace
 from pathlib import Path
 
 import msgspec
 
 from scenegen_core.errors import SceneError
-from scenegen_core.scene.files import (
-    BoxRecord,
-    RoomRecord,
-    box_of,
-    box_record,
-    record_of,
-    room_of,
-)
-from scenegen_core.scene.model import Box, Room, Scene
+from scenegen_core.scene.files import BoxRecord, OpeningRecord, box_of, box_record
+from scenegen_core.scene.model import Box, Opening
 
 logger = logging.getLogger(__name__)
 
@@ -90,14 +83,25 @@ def usable_boxes(boxes: Iterable[Box], path: Path, report: Report) -> tuple[Box,
     return tuple(box if box.parent in kept else replace(box, parent=None) for box in kept.values())
 
 
-def usable_room(room: Room) -> Room:
-    """The room, its corners anticlockwise; SceneError if it is beyond the limits of scenes."""
+def usable_openings(openings: Iterable[Opening], path: Path, report: Report) -> tuple[Opening, ...]:
+    """The doors or windows that a room can have; the others are reported."""
+    kept: list[Opening] = []
+    for opening in openings:
+        problem = problem_of(opening)
+        if problem:
+            report(Skipped(path, f"opening {opening.id!r}", problem))
+        else:
+            kept.append(opening)
+    return tuple(kept)
+
+
+def problem_of(opening: Opening) -> str:
+    """Why a room cannot have that door or window; empty when it can."""
     try:
-        return room_of(
-            msgspec.convert(msgspec.to_builtins(record_of(Scene(room)).room), RoomRecord)
-        )
+        msgspec.convert(asdict(opening), OpeningRecord)
     except msgspec.ValidationError as error:
-        raise SceneError(str(error)) from None
+        return str(error)
+    return "" if opening.bottom < opening.top else "it ends below where it begins"
 
 
 def _checked(box: Box) -> Box:

@@ -14,6 +14,7 @@ import msgspec
 from scenegen_core.datasets.contents import BROKEN_JSON, Fields, Head, content, fields_of, members
 from scenegen_core.datasets.labels import category_of
 from scenegen_core.datasets.outlines import OUTSIDE
+from scenegen_core.datasets.plans import scene_id
 from scenegen_core.datasets.remarks import Report, Skipped, usable_boxes
 from scenegen_core.datasets.roomplan_capture import (
     Capture,
@@ -36,6 +37,7 @@ from scenegen_core.errors import SceneError
 from scenegen_core.scene.model import Room, Scene
 
 NO_WALL = "is in the wall of no room"
+LONGEST_TYPE = 120  # characters; RoomPlan's own words for all uses together have half of it
 UNIDENTIFIED = "unidentified"  # RoomPlan's word for parts of a floor that it cannot tell the use of
 
 
@@ -57,8 +59,8 @@ def read_scenes(path: Path, report: Report) -> Iterator[Scene]:
         several = len(scenes) > 1
         yield replace(
             scene,
-            id=f"{path.stem}/{number}" if several else path.stem,
-            name=f"{path.stem} {number}" if several else path.stem,
+            id=scene_id(path, str(number)) if several else scene_id(path),
+            name=scene_id(path),
             source="roomplan",
         )
 
@@ -159,4 +161,5 @@ def _sections(raws: tuple[msgspec.Raw, ...], path: Path, report: Report) -> Iter
 def _room_type(shell: Shell, sections: Iterable[Section]) -> str:
     """What the room is used for: the words of the sections in it, each once."""
     words = [word_of(section.label) for section in sections if holds(shell, section)]
-    return "/".join(dict.fromkeys(in_words(word) for word in words if word != UNIDENTIFIED))
+    known = dict.fromkeys(in_words(word) for word in words if word != UNIDENTIFIED)
+    return "/".join(known)[:LONGEST_TYPE]

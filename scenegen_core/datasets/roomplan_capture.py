@@ -16,10 +16,11 @@ import msgspec
 import numpy as np
 from msgspec import Struct
 
-from scenegen_core.datasets.contents import BROKEN_JSON
+from scenegen_core.datasets.contents import BROKEN_JSON, Measured
+from scenegen_core.datasets.outlines import point_of
 from scenegen_core.errors import SceneError
 from scenegen_core.scene.frames import Floats, to_core
-from scenegen_core.scene.model import Point, Vector3
+from scenegen_core.scene.model import Point
 
 SKEW = 0.01  # how far the axes of a matrix may be from unit length and right angles
 
@@ -31,13 +32,13 @@ class Thing(Struct, frozen=True, rename="camel"):
 
     category: str | dict[str, Any]
     """A word, or a word with what else is known: {"door": {"isOpen": true}}."""
-    dimensions: Vector3
+    dimensions: tuple[Measured, Measured, Measured]
     """Width, height, depth, metres."""
-    transform: tuple[float | tuple[float, ...], ...]
+    transform: tuple[Measured | tuple[Measured, ...], ...]
     """Sixteen numbers, or four columns of four."""
     identifier: str = ""
     parent_identifier: str | None = None
-    polygon_corners: tuple[Vector3, ...] | None = None
+    polygon_corners: tuple[tuple[Measured, Measured, Measured], ...] | None = None
     """The outline in the surface's own frame, where it is no rectangle."""
     attributes: dict[str, Any] | tuple[Any, ...] | None = None
     """What is known of its kind: {"TableType": "coffee"}."""
@@ -48,7 +49,7 @@ class Section(Struct, frozen=True):
     """What a part of the floor is used for."""
 
     label: str | dict[str, Any]
-    center: Vector3
+    center: tuple[Measured, Measured, Measured]
     story: int = 0
 
 
@@ -86,7 +87,8 @@ def kind_of(thing: Thing) -> str:
     word = word_of(thing.category)
     known = thing.attributes if isinstance(thing.attributes, dict) else {}
     kind = known.get(f"{word[:1].upper()}{word[1:]}Type", "")
-    return in_words(word if kind in {"", "unidentified"} else f"{kind} {word}")
+    is_known = isinstance(kind, str) and kind not in {"", "unidentified"}
+    return in_words(f"{kind} {word}" if is_known else word)
 
 
 def in_words(camel_case: str) -> str:
@@ -124,11 +126,6 @@ def corners_of(floor: Thing) -> Floats:
         return placed(floor, np.array(floor.polygon_corners))
     x, y = floor.dimensions[0] / 2, floor.dimensions[1] / 2
     return placed(floor, np.array([[-x, -y, 0.0], [x, -y, 0.0], [x, y, 0.0], [-x, y, 0.0]]))
-
-
-def point_of(position: Floats) -> Point:
-    """The plan of a position (2 or 3,), to a tenth of a millimetre."""
-    return round(float(position[0]), 4), round(float(position[1]), 4)
 
 
 def _matrix(thing: Thing) -> Floats:

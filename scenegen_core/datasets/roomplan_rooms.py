@@ -13,8 +13,9 @@ from shapely import Point as ShapelyPoint
 from shapely import Polygon
 
 from scenegen_core.datasets.labels import faces_somewhere
-from scenegen_core.datasets.outlines import NEAR_OUTLINE, on_outline, outline_of
-from scenegen_core.datasets.remarks import Report, Skipped, usable_room
+from scenegen_core.datasets.outlines import NEAR_OUTLINE, on_outline, outline_of, point_of
+from scenegen_core.datasets.plans import checked_room
+from scenegen_core.datasets.remarks import Report, Skipped, problem_of
 from scenegen_core.datasets.roomplan_capture import (
     Section,
     Thing,
@@ -23,7 +24,6 @@ from scenegen_core.datasets.roomplan_capture import (
     heights_of,
     kind_of,
     placed,
-    point_of,
     segment_of,
 )
 from scenegen_core.errors import SceneGenError
@@ -127,21 +127,19 @@ def _on_floor(floor: Thing, walls: Iterable[Thing]) -> Shell:
     corners = corners_of(floor)
     height = float(corners[:, 2].mean())
     tops = [heights_of(wall)[1] for wall in walls if wall.story == floor.story]
-    room = Room(
-        corners=tuple(map(point_of, corners)),
+    room = checked_room(
+        [point_of(corner) for corner in corners],
         height=round(max(tops) - height, 4) if tops else DEFAULT_HEIGHT,
     )
-    return Shell(usable_room(room), height, floor.story)
+    return Shell(room, height, floor.story)
 
 
 def _within(walls: Sequence[Thing]) -> Shell:
     edges = [heights_of(wall) for wall in walls]
     floor, ceiling = min(low for low, _ in edges), max(high for _, high in edges)
-    room = Room(
-        corners=outline_of([segment_of(wall) for wall in walls]),
-        height=round(ceiling - floor, 4),
-    )
-    return Shell(usable_room(room), floor, walls[0].story)
+    outline = outline_of([segment_of(wall) for wall in walls])
+    room = checked_room(outline, height=round(ceiling - floor, 4))
+    return Shell(room, floor, walls[0].story)
 
 
 def _openings(things: Iterable[Thing], shell: Shell) -> list[Opening]:
@@ -151,9 +149,9 @@ def _openings(things: Iterable[Thing], shell: Shell) -> list[Opening]:
             start, end = segment_of(thing)
             low, high = (height - shell.floor for height in heights_of(thing))
             bottom, top = round(max(low, 0.0), 3), round(high, 3)
-            if top > bottom:
-                found.append(Opening(start, end, bottom=bottom, top=top, id=thing.identifier))
-    return list(on_outline(found, shell.outline))
+            found.append(Opening(start, end, bottom=bottom, top=top, id=thing.identifier))
+    usable = (opening for opening in found if not problem_of(opening))
+    return list(on_outline(usable, shell.outline))
 
 
 def _rounded(values: Vector3) -> Vector3:

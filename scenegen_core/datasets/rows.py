@@ -12,21 +12,24 @@ from pathlib import Path
 import msgspec
 from msgspec import Struct
 
-from scenegen_core.datasets.contents import BROKEN_JSON, Head, lines
+from scenegen_core.datasets.contents import BROKEN_JSON, Head, Measured, lines
 from scenegen_core.datasets.remarks import Report, Skipped, log
 from scenegen_core.errors import SceneError
-from scenegen_core.scene.files import OpeningRecord, RoomRecord, room_of
-from scenegen_core.scene.model import DEFAULT_HEIGHT, Box, Opening, Point, Scene, Vector3
+from scenegen_core.scene.files import Length, OpeningRecord, RoomRecord, room_of
+from scenegen_core.scene.model import DEFAULT_HEIGHT, Box, Opening, Scene
 
 DOOR = (0.0, 2.0)  # metres; low and high edge of a door where the source gives none
 WINDOW = (0.9, 2.1)  # metres; a usual sill and head, where the source gives none
+
+Corner = tuple[Measured, Measured]
+Triple = tuple[Measured, Measured, Measured]
 
 
 class OpeningRow(Struct, frozen=True, omit_defaults=True):
     """A door or a window of a row."""
 
-    segment: tuple[Point, Point]
-    z: tuple[float, float] | None = None
+    segment: tuple[Corner, Corner]
+    z: Corner | None = None
     """Low and high edge above the floor, metres; None where the source does not say."""
 
 
@@ -36,9 +39,9 @@ class ObjectRow(Struct, frozen=True):
     id: str
     label: str
     category: str | None
-    center: Vector3
-    half: Vector3
-    yaw: float
+    center: Triple
+    half: Triple
+    yaw: Measured
     front_known: bool = True
     front_from_wall: bool = False
     parent: str | None = None
@@ -50,8 +53,8 @@ class RoomRow(Struct, frozen=True, kw_only=True):
     id: str
     source: str
     room_type: str
-    polygon: tuple[Point, ...]
-    height: float | None = None
+    polygon: tuple[Corner, ...]
+    height: Length | None = None
     doors: tuple[OpeningRow, ...] = ()
     windows: tuple[OpeningRow, ...] = ()
     objects: tuple[ObjectRow, ...]

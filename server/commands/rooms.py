@@ -33,16 +33,19 @@ def read_rooms(paths: Sequence[Path]) -> tuple[list[Scene], list[Remark]]:
     try:
         return list(read_all(paths, remarks.append, progress=show)), remarks
     finally:
-        for line in told(remarks):
-            print(line, file=sys.stderr)
+        _tell(remarks)
 
 
 def open_room(path: Path, room_id: str | None = None) -> Scene:
-    """The room of a file of any format, or the one of that id.
+    """The room of a file of any format, or the one of that id; what was left out is on stderr.
 
     SceneGenError if there is no such file or room, or if one has to be chosen.
     """
-    return only_room(list(read_scenes(path)), room_id, str(path))
+    remarks: list[Remark] = []
+    try:
+        return only_room(list(read_scenes(path, remarks.append)), room_id, str(path))
+    finally:
+        _tell(remarks)
 
 
 def only_room(rooms: Sequence[Scene], room_id: str | None, where: str) -> Scene:
@@ -56,3 +59,8 @@ def only_room(rooms: Sequence[Scene], room_id: str | None, where: str) -> Scene:
     if fitting:
         raise DataError(f"{where} holds {len(fitting)} rooms; choose one with --room-id: {ids}.")
     raise DataError(f"There is no room {room_id!r} in {where}; it holds {ids}.")
+
+
+def _tell(remarks: Sequence[Remark]) -> None:
+    for line in told(remarks):
+        print(line, file=sys.stderr)

@@ -169,6 +169,28 @@ def test_an_unknown_label_is_other_and_said(file: Path) -> None:
 
 
 @pytest.mark.parametrize(
+    ("broken", "reason"),
+    [
+        ({"uuid": "no label"}, "semanticLabel_META"),
+        (entity("WALL_ART", (1, 1, 1), (0, 0, 0, 1)), "is no plane"),
+        (plane("WALL_ART", (1, 1, 1), 0.0, (1e9, 1)), "bounded2D_META"),
+        ({**plane("WALL_ART", (1, 1, 1), 0.0, (1, 1)), **entity("WALL_ART", (1, 1, 1), (0,) * 4)},
+         "no direction"),
+    ],
+)  # fmt: skip
+def test_a_broken_entity_is_named_and_the_room_is_kept(
+    file: Path, broken: Any, reason: str
+) -> None:
+    couch = volume("COUCH", (0.5, FLOOR + 0.8, -1.0), 0.0, (0.9, 2.0, 0.8))
+    remarks: list[Remark] = []
+    scene = read(file, drawn(broken, couch), remarks)
+    assert [box.category for box in scene.boxes] == ["Sofa"]
+    (skipped,) = remarks
+    assert str(skipped).startswith(f"{file}, entity 6: ")
+    assert reason in str(skipped)
+
+
+@pytest.mark.parametrize(
     ("text", "message"),
     [
         (b"not json", "not a capture"),
