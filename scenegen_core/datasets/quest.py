@@ -17,7 +17,9 @@ import msgspec
 
 from scenegen_core.datasets.contents import BROKEN_JSON, Head, content
 from scenegen_core.datasets.headset import (
+    DOORS,
     WALLS,
+    WINDOWS,
     Block,
     Panel,
     Seen,
@@ -41,7 +43,6 @@ ROOMS = {
     "office_large": ("Large office (scan)", "office"),
     "office_small": ("Small office (scan)", "office"),
 }
-LYING = ("FLOOR", "CEILING", "GLOBAL_MESH")  # what is no upright panel
 
 
 def recognizes(head: Head) -> bool:
@@ -88,11 +89,11 @@ def _things(entities: Iterable[Entity], path: Path, report: Report) -> Iterator[
     A table's top is also there as a plane, so of the furniture planes count for pictures only.
     """
     for number, entity in enumerate(entities, start=1):
-        flat = categories_of("quest").get(entity.label) in {None, "Picture"}
+        hangs = categories_of("quest").get(entity.label, "Picture") == "Picture"
         try:
             if entity.volume is not None:
                 yield block_of(entity)
-            elif flat and entity.label not in LYING:
+            elif hangs or entity.label in (*WALLS, *DOORS, *WINDOWS):
                 yield panel_of(entity)
         except DataError as error:
             report(Skipped(path, f"entity {number}", str(error)))

@@ -10,7 +10,6 @@ from dataclasses import asdict
 from pathlib import Path
 
 from scenegen_core.datasets.cleaning import ROOM_TYPES, Reductions, clean
-from scenegen_core.datasets.formats import read_all
 from scenegen_core.datasets.remarks import Remark, Skipped
 from scenegen_core.errors import DataError
 from scenegen_core.knowledge import Knowledge, learn, save_knowledge
