@@ -42,6 +42,8 @@ class Thing(Struct, frozen=True, rename="camel"):
     """The outline in the surface's own frame, where it is no rectangle."""
     attributes: dict[str, Any] | tuple[Any, ...] | None = None
     """What is known of its kind: {"TableType": "coffee"}."""
+    curve: dict[str, Any] | None = None
+    """How a wall bends, where it does."""
     story: int = 0
 
 

@@ -30,6 +30,7 @@ from scenegen_core.errors import SceneGenError
 from scenegen_core.scene.model import DEFAULT_HEIGHT, Box, Opening, Room, Vector3
 
 STEP = 0.3  # metres; an opening that begins higher is no way through
+STRAIGHT = "without a floor, walls count as straight"
 STANDS_ON = 0.1  # metres; an underside so near to the top of another thing stands on it
 
 
@@ -54,6 +55,9 @@ def shells_of(
     """One room a floor or, without floors, a story; what makes no room is reported."""
     makers: list[Callable[[], Shell]] = [partial(_on_floor, floor, walls) for floor in floors]
     if not makers:
+        for wall in walls:
+            if wall.curve:
+                report(Skipped(path, f"the curve of wall {wall.identifier!r}", STRAIGHT))
         makers = [
             partial(_within, [wall for wall in walls if wall.story == story])
             for story in sorted({wall.story for wall in walls})

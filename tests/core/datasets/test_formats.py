@@ -5,6 +5,7 @@ from __future__ import annotations
 import gzip
 import json
 import logging
+import re
 import zipfile
 from pathlib import Path
 
@@ -144,6 +145,11 @@ def test_only_boxes_that_a_scene_can_carry_are_kept() -> None:
     assert [remark.what for remark in said if isinstance(remark, Skipped)] == [
         "object 'a'", "object 'b'", "object 'c'",
     ]  # fmt: skip
+
+
+def test_the_page_about_formats_lists_every_format() -> None:
+    page = (Path(__file__).parents[3] / "docs/formats.md").read_text(encoding="utf-8")
+    assert re.findall(r"^\| `(\w+)`", page, re.MULTILINE) == [form.name for form in FORMATS]
 
 
 class TestLimits:

@@ -171,6 +171,16 @@ def test_without_floors_the_walls_of_each_story_are_its_outline(tmp_path: Path) 
     assert ground.room.room_type == ""
 
 
+def test_a_wall_that_counts_as_straight_is_named(tmp_path: Path) -> None:
+    walls = scan()["walls"]
+    walls[0]["curve"] = {"radius": 4.0, "startAngle": 0.0, "endAngle": 1.0}
+    said: list[Remark] = []
+    ground = read(changed(tmp_path, walls=walls, floors=[]), said)[0]
+    assert outline_error(ground, L_SHAPE) == pytest.approx(0, abs=1e-3)
+    assert isinstance(said[0], Skipped)
+    assert said[0].what == "the curve of wall 'WALL-0'"
+
+
 def test_the_rooms_of_a_structure_are_read_one_by_one(tmp_path: Path) -> None:
     ground, upper = scan(), scan()
     for room, story in ((ground, 0), (upper, 1)):
