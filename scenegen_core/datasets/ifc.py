@@ -21,10 +21,10 @@ from shapely import Polygon, get_coordinates, get_parts, union_all
 
 from scenegen_core.datasets.contents import Head, content
 from scenegen_core.datasets.labels import categories_of, category_of
+from scenegen_core.datasets.outlines import point_of
 from scenegen_core.datasets.plans import (
     checked_room,
     furnished,
-    rounded_point,
     scene_id,
     upright_box,
     with_openings,
@@ -110,9 +110,11 @@ def _model(path: Path) -> Any:
             'install it: pip install "scenegen[ifc]".'
         ) from None
     try:
-        return ifcopenshell.file.from_string(content(path).decode(errors="replace"))
+        model = ifcopenshell.file.from_string(content(path).decode(errors="replace"))
+        model.by_type("IfcSpace")  # without a known schema it cannot say what it has
     except (RuntimeError, ifcopenshell.Error) as error:
         raise DataError(f"{path} cannot be read ({error}); export it again.") from None
+    return model
 
 
 def _shapes(model: Any, kinds: Iterable[str], path: Path, report: Report) -> Iterator[Shape]:
@@ -151,7 +153,7 @@ def _room(space: Shape, origin: Floats, path: Path, report: Report) -> Iterator[
     parts = [part for part in get_parts(seen) if isinstance(part, Polygon)]
     largest = max(parts, key=lambda part: part.area, default=Polygon())
     outline = Polygon(largest.exterior).simplify(0)
-    corners = [rounded_point(x, y) for x, y in get_coordinates(outline)[:-1]]
+    corners = [point_of(corner) for corner in get_coordinates(outline)[:-1]]
     low, high = space.points[:, 2].min(), space.points[:, 2].max()
     element = space.element
     name = str(element.LongName or element.Name or "")
@@ -204,8 +206,8 @@ def _openings(
         middle = (points[:, :2].min(axis=0) + points[:, :2].max(axis=0)) / 2
         across = middle - (middle @ along) * along
         yield Opening(
-            rounded_point(*(across + reach.min() * along)),
-            rounded_point(*(across + reach.max() * along)),
+            point_of(across + reach.min() * along),
+            point_of(across + reach.max() * along),
             bottom=float(points[:, 2].min()),
             top=float(points[:, 2].max()),
             id=shape.element.GlobalId,

@@ -22,10 +22,10 @@ from shapely import Polygon, get_parts, make_valid, union_all
 from scenegen_core.datasets.contents import Head, content
 from scenegen_core.datasets.labels import categories_of, category_of
 from scenegen_core.datasets.matterport_file import Category, House, Region, Thing, house_of
+from scenegen_core.datasets.outlines import point_of
 from scenegen_core.datasets.plans import (
     checked_room,
     rounded,
-    rounded_point,
     scene_id,
     with_openings,
 )
@@ -153,7 +153,7 @@ def _outline(region: Region, house: House) -> tuple[list[Point], float]:
     largest = max(floors, key=lambda part: part.area)
     corners = largest.exterior.coords[:-1] if isinstance(largest, Polygon) else ()
     height = np.mean([position[2] for loop in loops for position in loop])
-    return [rounded_point(x, y) for x, y in corners], float(height)
+    return [point_of(corner) for corner in corners], float(height)
 
 
 def _placed(
@@ -213,8 +213,8 @@ def _opening(thing: Thing, floors: Mapping[int, float]) -> Opening:
     upright = int(np.argmax(np.abs(thing.axes[:, 2])))
     middle = thing.center[2] - floors[thing.region]
     return Opening(
-        rounded_point(*(thing.center[:2] - reach)),
-        rounded_point(*(thing.center[:2] + reach)),
+        point_of(thing.center[:2] - reach),
+        point_of(thing.center[:2] + reach),
         bottom=round(float(middle - thing.half[upright]), 4),
         top=round(float(middle + thing.half[upright]), 4),
         id=str(thing.index),

@@ -17,6 +17,7 @@ from scenegen_core.datasets.remarks import Report, Skipped
 from scenegen_core.errors import DataError
 from scenegen_core.scene.frames import Floats
 
+FARTHEST = 1e6  # metres; numbers beyond that, and those that are none, are mistakes
 SHORT = 0.5  # of a unit: directions that short, or that near to each other, are wrong
 
 T = TypeVar("T")
@@ -128,9 +129,9 @@ def _thing(row: list[str]) -> Thing:
 
 
 def _numbers(row: list[str], start: int, count: int) -> Floats:
-    """So many finite numbers from a field on; ValueError if they are not there."""
+    """So many numbers from a field on; ValueError if they are not there or far too large."""
     numbers = np.array([float(field) for field in row[start : start + count]])
-    if len(numbers) < count or not np.isfinite(numbers).all():
+    if len(numbers) < count or not (np.abs(numbers) <= FARTHEST).all():
         raise ValueError(row)
     return numbers
 

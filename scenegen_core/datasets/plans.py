@@ -13,7 +13,8 @@ import numpy as np
 from shapely import LineString, Polygon, get_parts, make_valid, union_all
 from shapely import Point as ShapelyPoint
 
-from scenegen_core.datasets.remarks import Report, Skipped
+from scenegen_core.datasets.outlines import point_of
+from scenegen_core.datasets.remarks import Report, Skipped, usable_openings
 from scenegen_core.errors import SceneError
 from scenegen_core.scene.files import RoomRecord, room_of
 from scenegen_core.scene.frames import Floats
@@ -23,7 +24,6 @@ BESIDE = 0.3  # metres; half of a thick wall: openings in it are that far from t
 HALF_HIDDEN = 0.5  # share of an opening's width; with less before it, a room is not beside it
 IN_WALL = 0.05  # metres; how far centers of things on sills and in niches are from the floor
 LOOPS = 0.05  # share of the floor; where an outline crosses itself, smaller loops are cut off
-LOWEST = 10.0  # metres below the floor; what begins further down is a mistake
 LONGEST_NAME = 50  # characters of a file's name that go into ids
 
 
@@ -46,7 +46,7 @@ def with_openings(
     report: Report,
 ) -> tuple[Scene, ...]:
     """The scenes, each with the openings in its walls, put on its outline; others are reported."""
-    doors, windows = _usable(doors, path, report), _usable(windows, path, report)
+    doors, windows = (usable_openings(kind, path, report) for kind in (doors, windows))
     opened = tuple(
         replace(
             scene,
@@ -92,7 +92,7 @@ def between_walls(walls: Iterable[tuple[Point, Point, float]]) -> list[list[Poin
         [line.buffer(thickness / 2, cap_style="square") for line, thickness in lines]
     )
     holes = [Polygon(hole) for body in get_parts(bodies) for hole in body.interiors]
-    return [[rounded_point(*corner) for corner in hole.exterior.coords[:-1]] for hole in holes]
+    return [[point_of(corner) for corner in hole.exterior.coords[:-1]] for hole in holes]
 
 
 def outline_around(center: Vector3, outlines: Sequence[Polygon]) -> int | None:
@@ -138,11 +138,6 @@ def scene_id(path: Path, *parts: str) -> str:
     return "/".join((path.name.split(".")[0][:LONGEST_NAME], *parts))
 
 
-def rounded_point(x: float, y: float) -> Point:
-    """A point of the plan to a tenth of a millimetre."""
-    return round(float(x), 4), round(float(y), 4)
-
-
 def rounded(values: Iterable[float]) -> tuple[float, ...]:
     """Numbers to a tenth of a millimetre."""
     return tuple(round(float(value), 4) for value in values)
@@ -158,21 +153,7 @@ def _without_loops(corners: Sequence[Point]) -> tuple[Point, ...]:
     whole = Polygon(largest.exterior)
     if drawn.equals(whole) or drawn.symmetric_difference(whole).area > LOOPS * whole.area:
         return tuple(corners)
-    return tuple(rounded_point(*corner) for corner in whole.exterior.coords[:-1])
-
-
-def _usable(openings: Iterable[Opening], path: Path, report: Report) -> tuple[Opening, ...]:
-    """The openings that a room can have; the others are reported."""
-    kept: list[Opening] = []
-    for opening in openings:
-        if -LOWEST <= opening.bottom < opening.top and all(
-            map(isfinite, (*opening.start, *opening.end, opening.top))
-        ):
-            kept.append(opening)
-        else:
-            reason = f"it reaches from {opening.bottom:.2f} to {opening.top:.2f} m"
-            report(Skipped(path, f"opening {opening.id!r}", reason))
-    return tuple(kept)
+    return tuple(point_of(corner) for corner in whole.exterior.coords[:-1])
 
 
 def _through(room: Room, openings: Iterable[Opening]) -> tuple[Opening, ...]:
@@ -187,7 +168,7 @@ def _onto(room: Room, opening: Opening) -> Opening | None:
     middle = ShapelyPoint((start.x + end.x) / 2, (start.y + end.y) / 2)
     on_wall = [outline.interpolate(outline.project(point)) for point in (start, end)]
     near = outline.distance(middle) <= BESIDE
-    if not near or on_wall[0].distance(on_wall[1]) < HALF_HIDDEN * start.distance(end):
+    if not near or on_wall[0].distance(on_wall[1]) <= HALF_HIDDEN * start.distance(end):
         return None
-    (x, y), (u, v) = (rounded((point.x, point.y)) for point in on_wall)
-    return replace(opening, start=(x, y), end=(u, v))
+    moved_start, moved_end = (point_of((point.x, point.y)) for point in on_wall)
+    return replace(opening, start=moved_start, end=moved_end)

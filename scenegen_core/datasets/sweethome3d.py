@@ -32,6 +32,7 @@ from scenegen_core.scene.model import DEFAULT_HEIGHT, Box, Opening, Point, Room,
 
 SOURCE = "sweethome3d"
 PIECES = ("pieceOfFurniture", "light", "shelfUnit")
+FARTHEST = 1e6  # centimetres; numbers beyond that are mistakes
 STEP = 0.3  # metres; who walks through an opening steps no higher: higher ones are windows
 FIXED = "fixedWindow"  # in the name of its model in the catalogue
 HOME = "Home.xml"
@@ -235,6 +236,9 @@ def _number(element: Element, name: str, usual: float | None = None) -> float:
     if text is None and usual is not None:
         return usual
     try:
-        return float(text or "")
+        number = float(text or "")
     except ValueError:
         raise DataError(f"its {name} is missing or not a number") from None
+    if not abs(number) <= FARTHEST:
+        raise DataError(f"its {name} is far too large")
+    return number

@@ -3,24 +3,27 @@
 from __future__ import annotations
 
 from math import radians
+from typing import Annotated
 
 import numpy as np
-from msgspec import Struct
+from msgspec import Meta, Struct
 
 from scenegen_core.datasets.plans import rounded
 from scenegen_core.scene.frames import Floats, heading_of_unity_turn, unity_to_core
 from scenegen_core.scene.model import PAPER_CATEGORIES, Point, Symmetry
 
 SOURCE = "thor"
+Measure = Annotated[float, Meta(ge=-1e6, le=1e6)]
+"""A number of Unity; those beyond are mistakes."""
 FACES_SOMEWHERE = {c.name for c in PAPER_CATEGORIES if c.symmetry is not Symmetry.SYMMETRIC}
 
 
 class XYZ(Struct, frozen=True):
     """A position or a size in Unity's axes, metres; or turns about them, degrees."""
 
-    x: float
-    y: float
-    z: float
+    x: Measure
+    y: Measure
+    z: Measure
 
 
 def vector_of(value: XYZ) -> Floats:

@@ -21,10 +21,10 @@ from scipy.spatial.transform import Rotation
 
 from scenegen_core.datasets.contents import Head, content, lines
 from scenegen_core.datasets.labels import category_of
+from scenegen_core.datasets.outlines import point_of
 from scenegen_core.datasets.plans import (
     checked_room,
     furnished,
-    rounded_point,
     scene_id,
     upright_box,
     with_openings,
@@ -193,8 +193,8 @@ def _opening(hole: Hole, walls: dict[str, Wall]) -> Opening:
     (low, high), (start, end) = corners, ends
     along = (end - start) / np.linalg.norm(end - start)
     return Opening(
-        rounded_point(*(start + along * low.x)),
-        rounded_point(*(start + along * high.x)),
+        point_of(start + along * low.x),
+        point_of(start + along * high.x),
         bottom=low.y,
         top=high.y,
         id=hole.id,

@@ -21,9 +21,9 @@ from shapely import Polygon
 
 from scenegen_core.datasets.contents import Head, content
 from scenegen_core.datasets.labels import category_of
+from scenegen_core.datasets.outlines import point_of
 from scenegen_core.datasets.plans import (
     checked_room,
-    rounded_point,
     scene_id,
     upright_box,
     with_openings,
@@ -33,6 +33,7 @@ from scenegen_core.datasets.thor import (
     FACES_SOMEWHERE,
     SOURCE,
     XYZ,
+    Measure,
     heading_of,
 )
 from scenegen_core.errors import DataError, SceneError
@@ -49,7 +50,7 @@ _AT_WALLS = {c.name for c in PAPER_CATEGORIES if c.symmetry is Symmetry.INSIDE_F
 class Corners(Struct, frozen=True):
     """The eight corners of a box."""
 
-    points: tuple[tuple[float, float, float], ...] = field(name="cornerPoints")
+    points: tuple[tuple[Measure, Measure, Measure], ...] = field(name="cornerPoints")
 
 
 class Thing(Struct, frozen=True):
@@ -155,7 +156,7 @@ def _room(things: Iterable[Thing], room_type: str) -> Room:
     (left, low), (right, high) = _span(floors)
     west, south, east, north = max(west, left), max(south, low), min(east, right), min(north, high)
     corners = [(west, south), (east, south), (east, north), (west, north)]
-    return checked_room([rounded_point(*corner) for corner in corners], room_type=room_type)
+    return checked_room([point_of(corner) for corner in corners], room_type=room_type)
 
 
 def _span(corners: Iterable[Floats]) -> Floats:
@@ -173,8 +174,8 @@ def _window(thing: Thing) -> Opening:
     along[across] = (high - low)[across] / 2
     start, end = middle - along, middle + along
     return Opening(
-        rounded_point(start[0], start[1]),
-        rounded_point(end[0], end[1]),
+        point_of(start),
+        point_of(end),
         bottom=round(float(low[2]), 4),
         top=round(float(high[2]), 4),
         id=thing.id,

@@ -277,6 +277,13 @@ def test_a_model_without_spaces_is_refused_with_what_to_do(path: Path) -> None:
         read(Model().write(path))
 
 
+def test_a_model_of_an_unknown_schema_is_refused_with_what_to_do(model: Model, path: Path) -> None:
+    model.write(path)
+    path.write_text(path.read_text().replace("'IFC4'", "'IFC9'"))
+    with pytest.raises(DataError, match="export it again"):
+        read(path)
+
+
 def test_without_the_package_the_message_says_what_to_install(
     model: Model, path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -203,7 +203,7 @@ def test_a_house_is_a_scene_file(path: Path) -> None:
                 ]
             },
             "opening 'w'",
-            "from 2.00 to 1.00",
+            "ends below",
         ),
         ({"walls": [{"id": "w"}]}, "wall 0", "polygon"),
         (
