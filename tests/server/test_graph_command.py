@@ -94,6 +94,16 @@ def test_what_cannot_be_opened_is_said(tmp_path: Path) -> None:
         open_room(broken)
 
 
+def test_a_room_of_another_program_is_opened_and_what_it_lacks_is_said(
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    scan = LIVING_ROOM.with_name("roomplan_two_stories.json")
+    assert [box.category for box in open_room(scan, "roomplan_two_stories/2").boxes] == ["Bed"]
+    said = capsys.readouterr().err
+    assert "object 'NEXT-DOOR': lies outside of the room" in said
+    assert "unknown label, counts as Other: 'aquarium'" in said
+
+
 def test_the_graph_is_printed_as_json(capsys: pytest.CaptureFixture[str]) -> None:
     assert scenegen_graph(str(LIVING_ROOM)) == 0
     printed = capsys.readouterr()
