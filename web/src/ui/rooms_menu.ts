@@ -35,11 +35,20 @@ export function roomsMenu(page: Page): TemplateResult {
 /** A new room, one from a file, this one as a file. */
 export function fileButtons({ dispatch, services }: Page): TemplateResult {
   const open = (): void => chooseFile(services.openSceneFile);
+  const draw = (): void => {
+    dispatch({ type: "new-room" });
+    focusRoom();
+  };
   return html`
-    ${button({ icon: "new", label: "New room", run: closing(() => dispatch({ type: "new-room" })) })}
+    ${button({ icon: "new", label: "New room", run: closing(draw) })}
     ${button({ icon: "open", label: "Open file…", run: closing(open) })}
     ${button({ icon: "save", label: "Save", keys: "Ctrl S", run: closing(services.saveScene) })}
   `;
+}
+
+/** From here on the keys draw; on the button, Enter would begin anew. */
+function focusRoom(): void {
+  document.querySelector<HTMLElement>("#stage canvas")?.focus();
 }
 
 /** Asks the browser for a scene file. */
