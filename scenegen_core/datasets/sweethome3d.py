@@ -7,6 +7,7 @@ a Java object instead of XML and are refused.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 from math import cos, sin
 from pathlib import Path
@@ -18,6 +19,7 @@ import numpy as np
 from scenegen_core.datasets.contents import Head, content, member
 from scenegen_core.datasets.labels import categories_of, category_of
 from scenegen_core.datasets.plans import (
+    LONGEST_NAME,
     between_walls,
     checked_room,
     furnished,
@@ -125,18 +127,17 @@ def _boxes(home: Element, path: Path, report: Report) -> _OnLevels[Box]:
     boxes: _OnLevels[Box] = []
     pieces = (element for element in home.iter() if element.tag in PIECES)
     for number, piece in enumerate(pieces):
-        name = piece.get("name", "")
-        what = f"object {piece.get('id', f'piece-{number}')!r} ({name})"
+        piece_id = _id(piece, number)
         if piece.get("visible") == "false":
-            report(Skipped(path, what, "it is hidden in the home"))
+            report(Skipped(path, f"object {piece_id!r}", "it is hidden in the home"))
             continue
         category = _category(piece, path, report)
         if category is None:
             continue
         try:
-            boxes.append((_level(piece), _box(piece, f"piece-{number}", category)))
+            boxes.append((_level(piece), _box(piece, piece_id, category)))
         except DataError as error:
-            report(Skipped(path, what, str(error)))
+            report(Skipped(path, f"object {piece_id!r}", str(error)))
     return boxes
 
 
@@ -149,7 +150,7 @@ def _category(piece: Element, path: Path, report: Report) -> str | None:
     )
 
 
-def _box(piece: Element, usual_id: str, category: str) -> Box:
+def _box(piece: Element, piece_id: str, category: str) -> Box:
     """The box of a piece; tilted pieces have sizes as seen in the plan."""
     depth, width, height = (
         _number(piece, f"{side}InPlan", _number(piece, side))
@@ -159,7 +160,7 @@ def _box(piece: Element, usual_id: str, category: str) -> Box:
     middle = np.array([_number(piece, "x"), _number(piece, "y"), bottom + height / 2])
     x, y, z = rounded(sweet_home_to_core(middle))
     return Box(
-        id=piece.get("id", usual_id),
+        id=piece_id,
         category=category,
         center=(x, y, z),
         size=(depth / 100, width / 100, height / 100),
@@ -175,17 +176,18 @@ def _openings(
     doors: _OnLevels[Opening] = []
     windows: _OnLevels[Opening] = []
     for number, element in enumerate(home.iter("doorOrWindow")):
+        opening_id = _id(element, number)
         try:
-            opening = _opening(element, f"opening-{number}")
+            opening = _opening(element, opening_id)
         except DataError as error:
-            report(Skipped(path, f"opening {number} ({element.get('name', '')})", str(error)))
+            report(Skipped(path, f"opening {opening_id!r}", str(error)))
         else:
             kind = doors if opening.bottom < STEP and not _is_fixed(element) else windows
             kind.append((_level(element), opening))
     return doors, windows
 
 
-def _opening(element: Element, usual_id: str) -> Opening:
+def _opening(element: Element, opening_id: str) -> Opening:
     """The opening in the middle of its wall, which open leaves and sills reach out of."""
     turn, depth = _number(element, "angle", 0), _number(element, "depth")
     along = np.array([cos(turn), sin(turn)]) * _number(element, "width") / 2
@@ -196,7 +198,7 @@ def _opening(element: Element, usual_id: str) -> Opening:
     (x, y), (u, v) = map(rounded, sweet_home_to_core(np.array([middle - along, middle + along])))
     bottom = _number(element, "elevation", 0) / 100
     top = bottom + _number(element, "height") / 100
-    return Opening((x, y), (u, v), bottom=bottom, top=top, id=element.get("id", usual_id))
+    return Opening((x, y), (u, v), bottom=bottom, top=top, id=opening_id)
 
 
 def _is_fixed(element: Element) -> bool:
@@ -206,6 +208,12 @@ def _is_fixed(element: Element) -> bool:
 
 def _empty(room: Room, path: Path, level: str, number: int, name: str) -> Scene:
     return Scene(room, id=scene_id(path, level, f"r{number}"), name=name, source=SOURCE)
+
+
+def _id(element: Element, number: int) -> str:
+    """An id that people recognize: the name and a number, "bedside-table-12"."""
+    words = "-".join(re.findall(r"\w+", element.get("name", "").lower()))
+    return "-".join(filter(None, (words[:LONGEST_NAME], str(number))))
 
 
 def _level(element: Element) -> str:

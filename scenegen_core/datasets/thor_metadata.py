@@ -42,7 +42,9 @@ from scenegen_core.scene.model import PAPER_CATEGORIES, Box, Opening, Room, Scen
 
 FIRST = 20_000  # bytes of a list of rooms that show what they are: its first objects
 IN_WALLS = ("Blinds", "Curtains", "Window")  # these reach further than the room
-HEADS_FORWARD = ("Bed",)  # models of beds lie with their heads along +z: there are the pillows
+HEADS_FORWARD = ("Bed",)
+"""Models that look along -z: in these rooms pillows lie at the +z end of the beds. In houses of
+ProcTHOR they lie at the other end of the same assets."""
 KINDS = {0: "kitchen", 2: "living room", 3: "bedroom", 4: "bathroom"}  # by hundreds of FloorPlan312
 _AT_WALLS = {c.name for c in PAPER_CATEGORIES if c.symmetry is Symmetry.INSIDE_FACING}
 

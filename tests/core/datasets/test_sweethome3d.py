@@ -123,11 +123,11 @@ def test_pieces_in_groups_go_to_the_rooms_that_contain_their_centers(draw: Draw)
 
 def test_what_stands_in_no_room_is_named(draw: Draw) -> None:
     said: list[Remark] = []
-    scenes = read(draw(piece("Plant", -50, 100, (30, 30, 90), "id='garden'")), said)
+    scenes = read(draw(piece("Potted plant", -50, 100, (30, 30, 90))), said)
     assert [scene.boxes for scene in scenes] == [(), ()]
     (what,) = said
     assert isinstance(what, Skipped)
-    assert (what.what, what.reason) == ("object 'garden'", "it stands in no room")
+    assert (what.what, what.reason) == ("object 'potted-plant-0'", "it stands in no room")
 
 
 def test_levels_are_kept_apart(draw: Draw) -> None:
