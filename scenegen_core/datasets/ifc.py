@@ -10,16 +10,22 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass, replace
-from importlib import import_module
+from dataclasses import replace
 from math import atan2
 from pathlib import Path
 from typing import Any
 
-import numpy as np
 from shapely import Polygon, get_coordinates, get_parts, union_all
 
-from scenegen_core.datasets.contents import Head, content
+from scenegen_core.datasets.contents import Head
+from scenegen_core.datasets.ifc_shapes import (
+    Element,
+    Shape,
+    model_of,
+    named,
+    origin_of,
+    shapes_of,
+)
 from scenegen_core.datasets.labels import categories_of, category_of
 from scenegen_core.datasets.outlines import point_of
 from scenegen_core.datasets.plans import (
@@ -39,23 +45,7 @@ FURNITURE = ("IfcFurnishingElement", "IfcFlowTerminal")  # the second: bathtubs,
 WITHOUT_TYPE = ("NOTDEFINED", "USERDEFINED")
 STOREY = 1.5  # metres; floors that differ by less belong to one storey
 SLACK = 0.1  # metres; what stands on a floor reaches no further below it
-SURVEYED = 500.0  # metres; models further from their origin have the coordinates of a survey
 UPRIGHT = 1e-6  # square metres; triangles that small as seen from above stand upright
-
-Element = Any  # ifcopenshell has no types for what a schema defines
-
-
-@dataclass(frozen=True, slots=True)
-class Shape:
-    """The surface of an element in the frame of the building, which is ours but for its origin."""
-
-    element: Element
-    points: Floats
-    """Its corners, (n, 3) metres."""
-    triangles: Floats
-    """The corners of its triangles, (m, 3, 3) metres."""
-    axes: Floats
-    """The directions of its own x, y and z, as columns."""
 
 
 def recognizes(head: Head) -> bool:
@@ -66,14 +56,13 @@ def recognizes(head: Head) -> bool:
 
 def read_scenes(path: Path, report: Report) -> Iterator[Scene]:
     """The spaces of a model, storey by storey; DataError if it has none or cannot be read."""
-    model = _model(path)
-    spaces = list(_shapes(model, ("IfcSpace",), path, report))
+    model = model_of(path)
+    spaces = list(shapes_of(model, ("IfcSpace",), path, report))
     if not spaces:
         raise DataError(f"{path} has no space with a shape; export it with its rooms (IfcSpace).")
-    origin = _origin(spaces)
-    floors = {space.element.id(): float(space.points[:, 2].min()) for space in spaces}
+    origin = origin_of(spaces)
     rooms = [
-        (floors[space.element.id()], scene)
+        (float((space.points - origin)[:, 2].min()), scene)
         for space in spaces
         for scene in _room(space, origin, path, report)
     ]
@@ -100,52 +89,6 @@ def read_scenes(path: Path, report: Report) -> Iterator[Scene]:
             yield replace(scene, boxes=tuple(_on_floor(box, floor) for box in scene.boxes))
 
 
-def _model(path: Path) -> Any:
-    """The model of a file; DataError if it or the package that reads it is not usable."""
-    try:
-        ifcopenshell = import_module("ifcopenshell")
-    except ImportError:
-        raise DataError(
-            "IFC files are read with the package ifcopenshell; "
-            'install it: pip install "scenegen[ifc]".'
-        ) from None
-    try:
-        model = ifcopenshell.file.from_string(content(path).decode(errors="replace"))
-        model.by_type("IfcSpace")  # without a known schema it cannot say what it has
-    except (RuntimeError, ifcopenshell.Error) as error:
-        raise DataError(f"{path} cannot be read ({error}); export it again.") from None
-    return model
-
-
-def _shapes(model: Any, kinds: Iterable[str], path: Path, report: Report) -> Iterator[Shape]:
-    """The shapes of all elements of some kinds; those without one are reported."""
-    geometry = import_module("ifcopenshell.geom")
-    settings = geometry.settings()
-    for kind in kinds:
-        for element in model.by_type(kind):
-            try:
-                shape = geometry.create_shape(settings, element)
-            except RuntimeError as error:
-                report(Skipped(path, _named(element), f"it has no usable shape ({error})"))
-                continue
-            local = np.array(shape.geometry.verts).reshape(-1, 3)
-            placement = np.array(shape.transformation.matrix).reshape(4, 4).T
-            points = local @ placement[:3, :3].T + placement[:3, 3]
-            corners = np.array(shape.geometry.faces).reshape(-1, 3)
-            yield Shape(element, points, points[corners], placement[:3, :3])
-
-
-def _named(element: Element) -> str:
-    return f"{element.is_a()} {element.Name or element.GlobalId!r}"
-
-
-def _origin(spaces: Iterable[Shape]) -> Floats:
-    """What to take off all positions: nothing, or the corner of a model that was surveyed."""
-    corner = np.min([space.points.min(axis=0) for space in spaces], axis=0)
-    far = np.abs(corner[:2]).max() > SURVEYED
-    return np.array([*np.floor(corner[:2]), 0.0]) if far else np.zeros(3)
-
-
 def _room(space: Shape, origin: Floats, path: Path, report: Report) -> Iterator[Scene]:
     """The room of a space, without what is in it; nothing, and a report, if it is not usable."""
     plan = [Polygon(triangle) for triangle in (space.triangles - origin)[:, :, :2]]
@@ -160,13 +103,13 @@ def _room(space: Shape, origin: Floats, path: Path, report: Report) -> Iterator[
     try:
         room = checked_room(corners, height=float(high - low), room_type=name)
     except SceneError as error:
-        report(Skipped(path, _named(element), str(error)))
+        report(Skipped(path, named(element), str(error)))
         return
     yield Scene(room, id=scene_id(path, element.GlobalId), name=name, source=SOURCE)
 
 
 def _boxes(model: Any, origin: Floats, path: Path, report: Report) -> Iterator[Box]:
-    for shape in _shapes(model, FURNITURE, path, report):
+    for shape in shapes_of(model, FURNITURE, path, report):
         category = category_of(SOURCE, _word(shape.element), path, report)
         if category is None:
             continue
@@ -199,7 +142,7 @@ def _openings(
     model: Any, kind: str, origin: Floats, path: Path, report: Report
 ) -> Iterator[Opening]:
     """Doors or windows: they reach along their own x."""
-    for shape in _shapes(model, (kind,), path, report):
+    for shape in shapes_of(model, (kind,), path, report):
         points = shape.points - origin
         along = shape.axes[:2, 0]
         reach = points[:, :2] @ along

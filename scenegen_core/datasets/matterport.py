@@ -1,10 +1,7 @@
 """Houses of Matterport3D (``.house`` files) as scenes, one a region.
 
-The boxes of the data set do not say which way things face. Pose labels do: a file
-``<house>.poses.json`` beside the house maps the index of an object to the axis of its box that it
-faces along, ``{"12": {"axis": 2}}``, or to about where it faces, ``{"12": {"heading": 1.57}}`` in
-radians; the axes are numbered as :func:`level_axes` gives them. Without a label only the axes are
-known.
+Which way things face comes from pose labels (``matterport_poses``); without a label only the axes
+of a box are known.
 """
 
 from __future__ import annotations
@@ -12,16 +9,14 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import replace
 from pathlib import Path
-from typing import Annotated
 
-import msgspec
 import numpy as np
-from msgspec import Meta, Struct
 from shapely import Polygon, get_parts, make_valid, union_all
 
 from scenegen_core.datasets.contents import Head, content
 from scenegen_core.datasets.labels import categories_of, category_of
 from scenegen_core.datasets.matterport_file import Category, House, Region, Thing, house_of
+from scenegen_core.datasets.matterport_poses import Label, labels_beside, level_axes
 from scenegen_core.datasets.outlines import point_of
 from scenegen_core.datasets.plans import (
     checked_room,
@@ -30,8 +25,7 @@ from scenegen_core.datasets.plans import (
     with_openings,
 )
 from scenegen_core.datasets.remarks import Report, Skipped, usable_boxes
-from scenegen_core.errors import DataError, SceneError
-from scenegen_core.scene.frames import Floats
+from scenegen_core.errors import SceneError
 from scenegen_core.scene.model import Box, Opening, Point, Scene
 
 SOURCE = "matterport"
@@ -47,25 +41,6 @@ ROOM_TYPES = {
 UNLABELED = Category(-1, "unlabeled", "unlabeled")
 
 
-class Label(Struct, frozen=True, forbid_unknown_fields=True):
-    """Which way an object faces: one of its level axes, or a heading near one, radians."""
-
-    axis: Annotated[int, Meta(ge=0, le=3)] | None = None
-    heading: float | None = None
-
-    def __post_init__(self) -> None:
-        """Refuse labels that say nothing or two things."""
-        if (self.axis is None) == (self.heading is None):
-            raise ValueError("a label is either an axis or a heading")
-
-    def axis_of(self, headings: Floats) -> int:
-        """The number of the labelled axis; ``headings`` (4,) are those of the axes, radians."""
-        if self.axis is not None:
-            return self.axis
-        assert self.heading is not None
-        return int(np.argmax(np.cos(headings - self.heading)))
-
-
 def recognizes(head: Head) -> bool:
     """Whether the file begins as a house."""
     return head.start.startswith(b"ASCII 1.") and b"\nH " in head.start
@@ -74,7 +49,7 @@ def recognizes(head: Head) -> bool:
 def read_scenes(path: Path, report: Report) -> Iterator[Scene]:
     """The regions of a house, one by one; DataError if it has none."""
     house = house_of(content(path).decode(errors="replace"), path, report)
-    labels = _labels(path, house, report)
+    labels = labels_beside(path, house, report)
     empty = tuple(_rooms(house, path, report))
     levels = {region.index: region.level for region, _, _ in empty}
     floors = {region.index: floor for region, floor, _ in empty}
@@ -89,41 +64,6 @@ def read_scenes(path: Path, report: Report) -> Iterator[Scene]:
         doors = [_opening(thing, floors) for thing, kind in things if kind.mpcat40 == "door"]
         windows = [_opening(thing, floors) for thing, kind in things if kind.mpcat40 == "window"]
         yield from with_openings(furnished, doors, windows, path, report)
-
-
-def level_axes(thing: Thing) -> tuple[Floats, Floats]:
-    """The four level directions of a box, (4, 2), and the depth and width along each, (4, 2) m.
-
-    The first is the first level axis of the file, a; the next is b = c x a with c straight up, a
-    quarter turn anticlockwise (eq. relabel_scheme); then -a and -b.
-    """
-    upright = int(np.argmax(np.abs(thing.axes[:, 2])))
-    first, second = (i for i in range(3) if i != upright)
-    a = thing.axes[first, :2] / np.linalg.norm(thing.axes[first, :2])
-    b = np.array([-a[1], a[0]])
-    size = 2 * thing.half[[first, second]]
-    return np.array([a, b, -a, -b]), np.array([size, size[::-1], size, size[::-1]])
-
-
-def _labels(path: Path, house: House, report: Report) -> dict[int, Label]:
-    """The pose labels beside a house; those that are not usable are reported."""
-    beside = path.with_name(f"{path.name.split('.')[0]}.poses.json")
-    if not beside.exists():
-        return {}
-    try:
-        raw = msgspec.json.decode(content(beside), type=dict[str, msgspec.Raw])
-    except (msgspec.DecodeError, UnicodeDecodeError) as error:
-        raise DataError(f"{beside} does not hold pose labels: {error}.") from None
-    indices = {str(thing.index): thing.index for thing in house.things}
-    labels: dict[int, Label] = {}
-    for index, text in raw.items():
-        try:
-            labels[indices[index]] = msgspec.json.decode(text, type=Label)
-        except KeyError:
-            report(Skipped(beside, f"object {index!r}", "the house has no such object"))
-        except msgspec.DecodeError as error:
-            report(Skipped(beside, f"object {index!r}", str(error)))
-    return labels
 
 
 def _rooms(house: House, path: Path, report: Report) -> Iterator[tuple[Region, float, Scene]]:

@@ -7,19 +7,15 @@ from the PyPI package procthor (``pip install "scenegen[thor]"``), which holds t
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from functools import cache
-from importlib.util import find_spec
 from itertools import product
 from pathlib import Path
 from types import MappingProxyType
-from typing import TypeVar
 
 import msgspec
 import numpy as np
-from msgspec import Struct
 from scipy.spatial.transform import Rotation
 
-from scenegen_core.datasets.contents import Head, content, lines
+from scenegen_core.datasets.contents import Head
 from scenegen_core.datasets.labels import category_of
 from scenegen_core.datasets.outlines import point_of
 from scenegen_core.datasets.plans import (
@@ -30,74 +26,23 @@ from scenegen_core.datasets.plans import (
     with_openings,
 )
 from scenegen_core.datasets.remarks import Report, Skipped, usable_boxes
-from scenegen_core.datasets.thor import SOURCE, XYZ, heading_of, plan_of, vector_of
-from scenegen_core.errors import DataError, SceneError
+from scenegen_core.datasets.thor import SOURCE, heading_of, plan_of, vector_of
+from scenegen_core.datasets.thor_house_file import (
+    Asset,
+    Floor,
+    Hole,
+    House,
+    Thing,
+    Wall,
+    assets_by_id,
+    each,
+    houses,
+)
+from scenegen_core.errors import SceneError
 from scenegen_core.scene.frames import unity_to_core
 from scenegen_core.scene.model import DEFAULT_HEIGHT, Box, Opening, Scene
 
-DATABASE = Path("databases", "asset-database.json")
-T = TypeVar("T")
 _CORNERS = np.array(list(product((-0.5, 0.5), repeat=3)))
-
-
-class Asset(Struct, frozen=True, rename="camel"):
-    """A model: what it shows, and its size in its own axes."""
-
-    asset_id: str
-    object_type: str
-    bounding_box: XYZ
-
-
-class Floor(Struct, frozen=True, rename="camel"):
-    """A room."""
-
-    id: str
-    floor_polygon: tuple[XYZ, ...]
-    room_type: str = ""
-
-
-class Wall(Struct, frozen=True, rename="camel"):
-    """One side of a wall: a rectangle."""
-
-    id: str
-    polygon: tuple[XYZ, ...]
-    room_id: str = ""
-
-
-class Extent(Struct, frozen=True):
-    """The lowest and the highest corner of an opening: x along its wall, y up, metres."""
-
-    min: XYZ
-    max: XYZ
-
-
-class Hole(Struct, frozen=True, rename="camel"):
-    """A door or a window in a wall; older houses have a box where newer ones have two corners."""
-
-    id: str
-    wall0: str
-    hole_polygon: tuple[XYZ, ...] = ()
-    bounding_box: Extent | None = None
-
-
-class Thing(Struct, frozen=True, rename="camel"):
-    """An object with what stands on it."""
-
-    id: str
-    asset_id: str
-    position: XYZ
-    rotation: XYZ = XYZ(0, 0, 0)
-    children: tuple[msgspec.Raw, ...] = ()
-
-
-class House(Struct, frozen=True):
-    """A whole house; what is listed is decoded one by one, so that broken ones can be left out."""
-
-    rooms: tuple[msgspec.Raw, ...]
-    walls: tuple[msgspec.Raw, ...] = ()
-    doors: tuple[msgspec.Raw, ...] = ()
-    windows: tuple[msgspec.Raw, ...] = ()
-    objects: tuple[msgspec.Raw, ...] = ()
 
 
 def recognizes(head: Head) -> bool:
@@ -108,8 +53,8 @@ def recognizes(head: Head) -> bool:
 def read_scenes(path: Path, report: Report) -> Iterator[Scene]:
     """The rooms of the houses of a file; DataError if the sizes of assets are not at hand."""
     assets = assets_by_id()
-    for number, house in _houses(path, report):
-        walls = {wall.id: wall for wall in _each(house.walls, Wall, "wall", path, report)}
+    for number, house in houses(path, report):
+        walls = {wall.id: wall for wall in each(house.walls, Wall, "wall", path, report)}
         rooms = list(_rooms(house, walls, number, path, report))
         doors = _openings(house.doors, walls, path, report)
         windows = _openings(house.windows, walls, path, report)
@@ -118,48 +63,10 @@ def read_scenes(path: Path, report: Report) -> Iterator[Scene]:
         yield from with_openings(inside, doors, windows, path, report)
 
 
-@cache
-def assets_by_id() -> MappingProxyType[str, Asset]:
-    """The assets of ProcTHOR's database; DataError says how to get it if it is missing."""
-    package = find_spec("procthor")
-    folders = package.submodule_search_locations if package is not None else None
-    if not folders:
-        raise DataError(
-            "Houses of ProcTHOR need the sizes of its assets, from the package procthor; "
-            'install it: pip install "scenegen[thor]".'
-        )
-    by_type = msgspec.json.decode(content(Path(folders[0]) / DATABASE), type=dict[str, list[Asset]])
-    return MappingProxyType({a.asset_id: a for assets in by_type.values() for a in assets})
-
-
-def _houses(path: Path, report: Report) -> Iterator[tuple[int, House]]:
-    """The houses, one a line, or one over many lines; with their numbers."""
-    first = Head(path).start.split(b"\n", 1)[0].strip()
-    texts = iter([content(path)]) if first == b"{" else lines(path)
-    for number, text in enumerate(texts, start=1):
-        if not text.strip():
-            continue
-        try:
-            yield number, msgspec.json.decode(text, type=House)
-        except (msgspec.DecodeError, UnicodeDecodeError) as error:
-            report(Skipped(path, f"house {number}", str(error)))
-
-
-def _each(
-    raw: Iterable[msgspec.Raw], kind: type[T], what: str, path: Path, report: Report
-) -> Iterator[T]:
-    """Each thing of a list; the broken ones are reported."""
-    for number, text in enumerate(raw):
-        try:
-            yield msgspec.json.decode(text, type=kind)
-        except (msgspec.DecodeError, UnicodeDecodeError) as error:
-            report(Skipped(path, f"{what} {number}", str(error)))
-
-
 def _rooms(
     house: House, walls: dict[str, Wall], number: int, path: Path, report: Report
 ) -> Iterator[Scene]:
-    for floor in _each(house.rooms, Floor, "room", path, report):
+    for floor in each(house.rooms, Floor, "room", path, report):
         heights = [p.y for wall in walls.values() if wall.room_id == floor.id for p in wall.polygon]
         height = max(heights) - min(heights) if heights else DEFAULT_HEIGHT
         corners = [plan_of(corner) for corner in floor.floor_polygon]
@@ -175,7 +82,7 @@ def _rooms(
 def _openings(
     raw: Iterable[msgspec.Raw], walls: dict[str, Wall], path: Path, report: Report
 ) -> Iterator[Opening]:
-    for hole in _each(raw, Hole, "opening", path, report):
+    for hole in each(raw, Hole, "opening", path, report):
         try:
             yield _opening(hole, walls)
         except SceneError as error:
@@ -209,7 +116,7 @@ def _boxes(
     report: Report,
 ) -> Iterator[Box]:
     """The objects and, after each, what stands on it."""
-    for thing in _each(raw, Thing, "object", path, report):
+    for thing in each(raw, Thing, "object", path, report):
         asset = assets.get(thing.asset_id)
         if asset is None:
             reason = f"its asset {thing.asset_id!r} is not in the database"

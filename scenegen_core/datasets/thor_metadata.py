@@ -15,28 +15,21 @@ from pathlib import Path
 
 import msgspec
 import numpy as np
-from msgspec import Struct, field
 from shapely import Point as ShapelyPoint
 from shapely import Polygon
 
-from scenegen_core.datasets.contents import Head, content
+from scenegen_core.datasets.contents import Head
 from scenegen_core.datasets.labels import category_of
 from scenegen_core.datasets.outlines import point_of
 from scenegen_core.datasets.plans import (
     checked_room,
-    scene_id,
     upright_box,
     with_openings,
 )
 from scenegen_core.datasets.remarks import Report, Skipped, usable_boxes
-from scenegen_core.datasets.thor import (
-    FACES_SOMEWHERE,
-    SOURCE,
-    XYZ,
-    Measure,
-    heading_of,
-)
-from scenegen_core.errors import DataError, SceneError
+from scenegen_core.datasets.thor import FACES_SOMEWHERE, SOURCE, heading_of
+from scenegen_core.datasets.thor_metadata_file import Thing, rooms, things_of
+from scenegen_core.errors import SceneError
 from scenegen_core.scene.frames import Floats, unity_to_core
 from scenegen_core.scene.model import PAPER_CATEGORIES, Box, Opening, Room, Scene, Symmetry
 
@@ -45,44 +38,7 @@ IN_WALLS = ("Blinds", "Curtains", "Window")  # these reach further than the room
 HEADS_FORWARD = ("Bed",)
 """Models that look along -z: in these rooms pillows lie at the +z end of the beds. In houses of
 ProcTHOR they lie at the other end of the same assets."""
-KINDS = {0: "kitchen", 2: "living room", 3: "bedroom", 4: "bathroom"}  # by hundreds of FloorPlan312
 _AT_WALLS = {c.name for c in PAPER_CATEGORIES if c.symmetry is Symmetry.INSIDE_FACING}
-
-
-class Corners(Struct, frozen=True):
-    """The eight corners of a box."""
-
-    points: tuple[tuple[Measure, Measure, Measure], ...] = field(name="cornerPoints")
-
-
-class Thing(Struct, frozen=True):
-    """An object of a room."""
-
-    id: str = field(name="objectId")
-    label: str = field(name="objectType")
-    rotation: XYZ
-    asset: str = field(name="assetId", default="")
-    along_axes: Corners | None = field(name="axisAlignedBoundingBox", default=None)
-    oriented: Corners | None = field(name="objectOrientedBoundingBox", default=None)
-    parents: tuple[str, ...] | None = field(name="parentReceptacles", default=None)
-
-    @property
-    def corners(self) -> Floats:
-        """The corners of its box in Unity's axes, (8, 3) metres; SceneError if it has none."""
-        box = self.oriented or self.along_axes
-        if box is None or not box.points:
-            raise SceneError("it has no box")
-        return np.array(box.points)
-
-
-_Things = tuple[msgspec.Raw, ...]
-
-
-class _Event(Struct, frozen=True):
-    """The metadata of an event."""
-
-    objects: _Things
-    scene: str = field(name="sceneName", default="")
 
 
 def recognizes(head: Head) -> bool:
@@ -95,8 +51,8 @@ def recognizes(head: Head) -> bool:
 
 def read_scenes(path: Path, report: Report) -> Iterator[Scene]:
     """The rooms of a dump, one by one; DataError says what is wrong with it."""
-    for room_id, room_type, raw in _rooms(path):
-        things = tuple(_things(raw, path, report))
+    for room_id, room_type, raw in rooms(path):
+        things = tuple(things_of(raw, path, report))
         try:
             room = _room(things, room_type)
         except SceneError as error:
@@ -106,46 +62,6 @@ def read_scenes(path: Path, report: Report) -> Iterator[Scene]:
         scene = Scene(room, boxes, id=room_id, name=room_id, source=SOURCE)
         windows = [_window(thing) for thing in things if thing.label == "Window"]
         yield from with_openings([scene], (), windows, path, report)
-
-
-def _rooms(path: Path) -> Iterator[tuple[str, str, _Things]]:
-    """The id, the type and the objects of each room."""
-    fields, text = Head(path).fields, content(path)
-    try:
-        if "objectId" in fields:
-            yield scene_id(path), "", msgspec.json.decode(text, type=_Things)
-        elif "objects" in fields:
-            event = msgspec.json.decode(text, type=_Event)
-            yield event.scene or scene_id(path), _kind_of(event.scene), event.objects
-        else:
-            kinds = msgspec.json.decode(text, type=dict[str, tuple[_Things, ...]])
-            for kind, rooms in kinds.items():
-                for number, things in enumerate(rooms, start=1):
-                    yield scene_id(path, kind, str(number)), _in_words(kind), things
-    except (msgspec.DecodeError, UnicodeDecodeError) as error:
-        raise DataError(f"{path} is not a list of AI2-THOR's objects: {error}.") from None
-
-
-def _kind_of(scene: str) -> str:
-    """The type of an iTHOR room by its number; empty for others."""
-    number = scene.removeprefix("FloorPlan").split("_")[0]
-    return KINDS.get(int(number) // 100, "") if number.isdigit() else ""
-
-
-def _in_words(kind: str) -> str:
-    """The type of the rooms of a list: those of "living_rooms" are living rooms."""
-    return kind.removesuffix("s").replace("_", " ")
-
-
-def _things(raw: _Things, path: Path, report: Report) -> Iterator[Thing]:
-    for number, text in enumerate(raw):
-        try:
-            thing = msgspec.json.decode(text, type=Thing)
-            _ = thing.corners
-        except (msgspec.DecodeError, UnicodeDecodeError, SceneError) as error:
-            report(Skipped(path, f"object {number}", str(error)))
-        else:
-            yield thing
 
 
 def _room(things: Iterable[Thing], room_type: str) -> Room:

@@ -189,8 +189,8 @@ def test_a_door_leads_to_both_rooms_and_a_window_to_one(model: Model, path: Path
 
 def test_the_coordinates_of_a_survey_are_brought_near(path: Path) -> None:
     model = Model()
-    model.add("IfcSpace", LIVING, 2.5, (2_600_000, 1_200_000, 400))
-    at = (2_600_001, 1_200_001, 400)
+    model.add("IfcSpace", LIVING, 2.5, (2_600_000, 1_200_000, 2400))
+    at = (2_600_001, 1_200_001, 2400)
     model.add("IfcFurniture", block(0.5, 0.5), 0.9, at, PredefinedType="CHAIR")
     (scene,) = read(model.write(path))
     assert Polygon(scene.room.corners).symmetric_difference(Polygon(LIVING)).area < 1e-3

@@ -17,7 +17,7 @@ from shapely import Polygon
 from scenegen_core.datasets.formats import format_of, read_scenes
 from scenegen_core.datasets.labels import categories_of
 from scenegen_core.datasets.remarks import Remark, Skipped
-from scenegen_core.datasets.thor_house import assets_by_id
+from scenegen_core.datasets.thor_house_file import assets_by_id
 from scenegen_core.errors import DataError
 from scenegen_core.scene.files import read_scene, write_scene
 from scenegen_core.scene.model import PAPER_CATEGORIES, Scene
