@@ -20,7 +20,7 @@ from msgspec import Struct
 from scenegen_core.scene.model import Vector3
 from server.furniture import on_wall
 from server.furniture.embedding import Guest
-from server.furniture.glb import Document, write_glb
+from server.furniture.glb import Packer
 from server.furniture.mesh import Floats
 from server.model_file import SMALLEST, Model, read_model, size_problem
 
@@ -122,7 +122,6 @@ def _item(
     entry = entries.get(path)
     category = _category(path, entry, known)
     model = read_model(_read(directory, path, limit))
-    Guest({}, bytearray(), model.document, b"").stand(model.roots)  # all it points to is there
     size = model.bounds[1] - model.bounds[0]
     problem = size_problem(size)
     if problem:
@@ -134,7 +133,7 @@ def _item(
         name=((entry.name if entry else "") or _name(stem, category))[:MAX_NAME],
         category=category,
         size=(depth, width, height),
-        data=write_glb(_moved(model, -_origin(model.bounds, category)), model.binary),
+        data=_moved(model, -_origin(model.bounds, category)),
     )
 
 
@@ -180,8 +179,12 @@ def _origin(bounds: Floats, category: str) -> Floats:
     return np.array([middle[0], bounds[0, 1], middle[2]])
 
 
-def _moved(model: Model, by: Floats) -> Document:
-    """The document with its shown scene inside one node that shifts it."""
-    shift = {"name": "placed", "translation": by.tolist(), "children": list(model.roots)}
-    nodes = [*model.document["nodes"], shift]
-    return model.document | {"nodes": nodes, "scenes": [{"nodes": [len(nodes) - 1]}], "scene": 0}
+def _moved(model: Model, by: Floats) -> bytes:
+    """The model, without animations, cameras and lights, inside one node that shifts it."""
+    packer = Packer()
+    packer.gltf.asset.copyright = model.gltf.asset.copyright
+    try:
+        inner = Guest(packer, model.gltf).stand(model.roots)
+        return packer.glb([packer.node("placed", translation=by.tolist(), children=inner)])
+    except RecursionError:
+        raise ValueError("its JSON is nested too deeply; export it again") from None

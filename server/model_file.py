@@ -6,13 +6,20 @@ Nothing outside the file is ever opened.
 from __future__ import annotations
 
 from dataclasses import dataclass
+from struct import pack, unpack_from
 
 import msgspec
 import numpy as np
+import pygltflib
 
-from server.furniture.glb import Document, read_glb
 from server.furniture.mesh import Floats
-from server.gltf_records import COMPONENT_BYTES, COMPONENTS, Accessor, Gltf, Node, Primitive
+from server.gltf_records import Accessor, Gltf, Node, Primitive
+
+JSON_START = 20  # bytes: the header of the file and that of its first part
+VERSION = 2
+OVERLAP = 2  # times its data that the slices of a file may be together; each is written by itself
+COMPONENT_BYTES = {5120: 1, 5121: 1, 5122: 2, 5123: 2, 5125: 4, 5126: 4}
+COMPONENTS = {"SCALAR": 1, "VEC2": 2, "VEC3": 3, "VEC4": 4, "MAT2": 4, "MAT3": 9, "MAT4": 16}
 
 MAX_DEPTH = 100  # nodes inside one another
 MAX_TRIANGLES = 1_000_000
@@ -32,8 +39,7 @@ READABLE = frozenset({
 class Model:
     """A model that was found usable."""
 
-    document: Document
-    binary: bytes
+    gltf: Gltf
     roots: tuple[int, ...]
     """The root nodes of the scene that is shown."""
     bounds: Floats
@@ -42,18 +48,14 @@ class Model:
 
 def read_model(data: bytes) -> Model:
     """The model in a GLB; ValueError says why it is not usable."""
-    document, binary = read_glb(data)
+    gltf = _read_glb(data)
     try:
-        gltf = msgspec.convert(document, Gltf)
-    except msgspec.ValidationError as error:
-        raise ValueError(f"its JSON is not that of a glTF: {error}") from None
-    try:
-        _check_self_contained(gltf, len(binary))
+        _check_self_contained(gltf, len(gltf.binary_blob() or b""))
         with np.errstate(over="ignore", invalid="ignore"):  # absurd numbers are refused below
             bounds = bounds_of(gltf)
     except IndexError:
         raise ValueError("it points to parts that are not there") from None
-    return Model(document, binary, tuple(roots_of(gltf)), bounds)
+    return Model(gltf, tuple(roots_of(gltf)), bounds)
 
 
 def roots_of(gltf: Gltf) -> list[int]:
@@ -104,47 +106,74 @@ def size_problem(size: Floats) -> str | None:
     return None
 
 
+def _read_glb(data: bytes) -> Gltf:
+    """What pygltflib reads once the container is known to be whole; ValueError."""
+    if len(data) < JSON_START or not data.startswith(pygltflib.MAGIC):
+        raise ValueError("it is not a GLB file")
+    version, total, length = unpack_from("<III", data, 4)
+    if version != VERSION:
+        raise ValueError(f"it is glTF {version}; export it as glTF 2.0")
+    if total != len(data):
+        raise ValueError(f"it is cut short or damaged ({len(data)} of {total} bytes)")
+    if data[16:20] != pygltflib.JSON.encode():
+        raise ValueError("its first part is not JSON")
+    end = JSON_START + length
+    if data[end + 4 : end + 8] == pygltflib.BIN.encode():
+        end += 8 + unpack_from("<I", data, end)[0]
+    if end > total:
+        raise ValueError("one of its parts is cut short")
+    try:  # the parts of extensions, which may follow, are left out
+        gltf: Gltf = Gltf.load_from_bytes(data[:8] + pack("<I", end) + data[12:end])
+    except msgspec.ValidationError as error:
+        raise ValueError(f"its JSON is not that of a glTF: {error}") from None
+    except (msgspec.DecodeError, UnicodeDecodeError, RecursionError) as error:
+        raise ValueError(f"its JSON is damaged ({error})") from None
+    return gltf
+
+
 def _check_self_contained(gltf: Gltf, available: int) -> None:
     """ValueError if it needs other files, decoders or bytes that are not there."""
     if not gltf.asset.version.startswith("2."):
         raise ValueError(f"it is glTF {gltf.asset.version}; export it as glTF 2.0")
-    unreadable = sorted(set(gltf.extensions_required) - READABLE)
+    unreadable = sorted(set(gltf.extensionsRequired) - READABLE)
     if unreadable:
         raise ValueError(f"it needs {', '.join(unreadable)}; export it without compression")
     if any(buffer.uri is not None for buffer in gltf.buffers) or len(gltf.buffers) > 1:
         raise ValueError("its data lies in other files; export it as one GLB")
     if any(image.uri and not image.uri.startswith("data:image/") for image in gltf.images):
         raise ValueError("its pictures lie in other files; export it as one GLB")
-    for view in gltf.buffer_views:
-        if view.buffer != 0 or view.byte_offset + view.byte_length > available:
+    for view in gltf.bufferViews:
+        if view.buffer != 0 or view.byteOffset + view.byteLength > available:
             raise ValueError("it is cut short: some of its data is missing")
+    if sum(view.byteLength for view in gltf.bufferViews) > OVERLAP * available:
+        raise ValueError("its parts share their data over and over; export it again")
     if any(_needs(gltf, accessor) > 0 for accessor in gltf.accessors):
         raise ValueError("one of its arrays is longer than its data")
 
 
 def _needs(gltf: Gltf, accessor: Accessor) -> int:
     """How many bytes an array reaches beyond its slice; none if 0 or less."""
-    if accessor.buffer_view is None:
+    if accessor.bufferView is None:
         return 0
-    view = gltf.buffer_views[accessor.buffer_view]
-    element = COMPONENT_BYTES[accessor.component_type] * COMPONENTS[accessor.type]
-    stride = view.byte_stride or element
-    return accessor.byte_offset + stride * (accessor.count - 1) + element - view.byte_length
+    view = gltf.bufferViews[accessor.bufferView]
+    element = COMPONENT_BYTES[accessor.componentType] * COMPONENTS[accessor.type]
+    stride = view.byteStride or element
+    return (accessor.byteOffset or 0) + stride * (accessor.count - 1) + element - view.byteLength
 
 
 def _matrix(node: Node) -> Floats:
     """The transform (4, 4) of a node."""
     if node.matrix is not None:
         return np.array(node.matrix).reshape(4, 4).T
-    x, y, z, w = node.rotation
+    x, y, z, w = node.rotation or (0.0, 0.0, 0.0, 1.0)
     matrix = np.eye(4)
     matrix[:3, :3] = [
         [1 - 2 * (y * y + z * z), 2 * (x * y - z * w), 2 * (x * z + y * w)],
         [2 * (x * y + z * w), 1 - 2 * (x * x + z * z), 2 * (y * z - x * w)],
         [2 * (x * z - y * w), 2 * (y * z + x * w), 1 - 2 * (x * x + y * y)],
     ]
-    matrix[:3, :3] *= node.scale
-    matrix[:3, 3] = node.translation
+    matrix[:3, :3] *= node.scale or (1.0, 1.0, 1.0)
+    matrix[:3, 3] = node.translation or (0.0, 0.0, 0.0)
     return matrix
 
 

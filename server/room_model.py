@@ -44,11 +44,9 @@ def room_glb(scene: Scene, model_of: Callable[[Box], bytes]) -> bytes:
         data = model_of(box)
         if data not in guests:
             model = read_model(data)
-            guest = Guest(packer.document, packer.binary, model.document, model.binary)
-            guests[data] = guest, model
+            guests[data] = Guest(packer, model.gltf), model
         nodes.append(_furniture(packer, box, *guests[data]))
-    root = packer.add("nodes", {"name": scene.name or "room", "children": nodes})
-    return packer.glb([root])
+    return packer.glb([packer.node(scene.name or "room", children=nodes)])
 
 
 def _shell(packer: Packer, room: Room) -> list[int]:
@@ -65,8 +63,7 @@ def _shell(packer: Packer, room: Room) -> list[int]:
         primitive = packer.primitive(
             packer.material(material), mesh.positions, mesh.normals, None, mesh.faces
         )
-        number = packer.add("meshes", {"name": name, "primitives": [primitive]})
-        nodes.append(packer.add("nodes", {"name": name, "mesh": number}))
+        nodes.append(packer.mesh_node(name, [primitive]))
     return nodes
 
 
@@ -83,12 +80,10 @@ def _furniture(packer: Packer, box: Box, guest: Guest, model: Model) -> int:
         [[cos(2 * half), 0, sin(2 * half)], [0, 1, 0], [-sin(2 * half), 0, cos(2 * half)]]
     )
     place = to_page(np.array(box.center)) - turn @ (scale * bounds.mean(axis=0))
-    node = {
-        "name": box.label or box.category,
-        "children": guest.stand(model.roots),
-        "translation": place.tolist(),
-        "rotation": [0.0, sin(half), 0.0, cos(half)],
-    }
-    if (scale != 1).any():
-        node["scale"] = scale.tolist()
-    return packer.add("nodes", node)
+    return packer.node(
+        box.label or box.category,
+        children=guest.stand(model.roots),
+        translation=place.tolist(),
+        rotation=[0.0, sin(half), 0.0, cos(half)],
+        scale=scale.tolist() if (scale != 1).any() else None,
+    )

@@ -75,5 +75,4 @@ def _pack(name: str, parts: list[tuple[Material, Mesh]], low: Floats, size: Floa
                 faces,
             )
         )
-    mesh = packer.add("meshes", {"name": name, "primitives": primitives})
-    return packer.glb([packer.add("nodes", {"name": name, "mesh": mesh})])
+    return packer.glb([packer.mesh_node(name, primitives)])

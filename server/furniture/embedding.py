@@ -3,134 +3,104 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from typing import Any, NamedTuple
+from copy import deepcopy
+from dataclasses import is_dataclass
+from typing import Any
 
-from server.furniture.glb import Document
+from pygltflib import GLTF2
+
+from server.furniture.glb import Packer
 
 SHARED = ("accessors", "bufferViews", "images", "materials", "meshes", "samplers", "textures")
 OWN = ("nodes", "skins")
 """Lists whose entries have one place in the room, so that every copy needs its own."""
 REFERENCES = {
-    "bufferView": "bufferViews", "children": "nodes", "index": "textures", "indices": "accessors",
-    "inverseBindMatrices": "accessors", "joints": "nodes", "material": "materials",
-    "mesh": "meshes", "sampler": "samplers", "skeleton": "nodes", "skin": "skins",
-    "source": "images",
+    "attributes": "accessors", "bufferView": "bufferViews", "children": "nodes",
+    "index": "textures", "indices": "accessors", "inverseBindMatrices": "accessors",
+    "joints": "nodes", "material": "materials", "mesh": "meshes", "sampler": "samplers",
+    "skeleton": "nodes", "skin": "skins", "source": "images", "targets": "accessors",
 }  # fmt: skip
 """Which list a number under that name points into (glTF 2.0, chapter 5)."""
-DROPPED = ("extras", "camera")
-PLAIN = ("nodes", "meshes")
-"""Lists whose extensions are dropped: lights and variants point into lists that are not copied."""
 STILL_LISTED = ("KHR_mesh_quantization",)
 """Extensions without an object of their own, known by their name alone."""
 
-
-class Range(NamedTuple):
-    """Where the entries of one list go: the number of the first, and their number."""
-
-    first: int
-    length: int
+Ranges = dict[str, range]
+"""Where the entries of each list go."""
 
 
 class Guest:
     """A document copied into another once, whose nodes can then stand there many times."""
 
-    def __init__(self, target: Document, binary: bytearray, source: Document, data: bytes) -> None:
-        """Copy all but the nodes; animations, cameras and lights stay behind.
+    def __init__(self, packer: Packer, source: GLTF2) -> None:
+        """Move in all but the nodes; animations, cameras and lights stay behind.
 
         Args:
-            target: Grows by the lists of the source.
-            binary: Grows by ``data``, at a multiple of four bytes.
-            source: A document of one buffer.
-            data: Its binary.
+            packer: Grows by the lists and the binary of the source.
+            source: A document of one buffer that is used up.
 
         Raises:
             ValueError: A reference points nowhere.
         """
-        self._target, self._source = target, source
-        binary += b"\0" * (-len(binary) % 4)
-        start = len(binary)
-        binary += data
+        self._target, self._source = packer.gltf, source
+        primitives = [primitive for mesh in source.meshes for primitive in mesh.primitives]
+        for part in (*source.nodes, *source.meshes, *primitives):
+            part.extensions = {}  # lights and variants point into lists that are not copied
+        for node in source.nodes:
+            node.camera = None
         self._ranges = self._next(SHARED) | self._next(OWN)
+        used = set(STILL_LISTED)
         for kind in SHARED:
-            self._copy(kind)
-        for view in target.get("bufferViews", ())[self._ranges["bufferViews"].first :]:
-            view["byteOffset"] = view.get("byteOffset", 0) + start
-        self._list_extensions()
+            used |= _renumber(getattr(source, kind), self._ranges)
+            getattr(self._target, kind).extend(getattr(source, kind))
+        for view in source.bufferViews:
+            view.byteOffset += len(packer.binary)
+        packer.binary += source.binary_blob() or b""
+        for kind in ("extensionsUsed", "extensionsRequired"):
+            names = used & set(getattr(source, kind)) | set(getattr(self._target, kind))
+            setattr(self._target, kind, sorted(names))
 
     def stand(self, roots: Iterable[int]) -> list[int]:
         """Copy the nodes; the numbers in the target of those that were ``roots``."""
         self._ranges |= self._next(OWN)
         for kind in OWN:
-            self._copy(kind)
-        return [root + self._ranges["nodes"].first for root in roots]
+            copies = deepcopy(getattr(self._source, kind))
+            _renumber(copies, self._ranges)
+            getattr(self._target, kind).extend(copies)
+        return [self._ranges["nodes"][root] for root in roots]
 
-    def _next(self, kinds: tuple[str, ...]) -> dict[str, Range]:
+    def _next(self, kinds: tuple[str, ...]) -> Ranges:
         """Where the source's entries go when they are appended now."""
-        return {
-            kind: Range(len(self._target.get(kind, ())), len(self._source.get(kind, ())))
-            for kind in kinds
-        }
-
-    def _copy(self, kind: str) -> None:
-        for value in self._source.get(kind, ()):
-            copy = _renumbered(value, self._ranges)
-            if kind in PLAIN:
-                copy = _without_extensions(copy)
-            self._target.setdefault(kind, []).append(copy)
-
-    def _list_extensions(self) -> None:
-        """Name in the target the extensions that the copied parts use."""
-        copied = [self._target.get(kind, [])[self._ranges[kind].first :] for kind in SHARED]
-        used = set(STILL_LISTED) | _extensions(copied)
-        for kind in ("extensionsUsed", "extensionsRequired"):
-            names = used & set(self._source.get(kind, ())) | set(self._target.get(kind, ()))
-            if names:
-                self._target[kind] = sorted(names)
+        ranges = {}
+        for kind in kinds:
+            first = len(getattr(self._target, kind))
+            ranges[kind] = range(first, first + len(getattr(self._source, kind)))
+        return ranges
 
 
-def _renumbered(value: Any, ranges: dict[str, Range]) -> Any:
-    """A copy of part of a document with its references renumbered."""
+def _renumber(value: Any, ranges: Ranges) -> set[str]:
+    """Renumber all references inside, in place; the names of the extensions found there."""
     if isinstance(value, list):
-        return [_renumbered(item, ranges) for item in value]
-    if not isinstance(value, dict):
-        return value
-    copy = {}
-    for name, inner in value.items():
-        if name in DROPPED:
+        return set().union(*(_renumber(item, ranges) for item in value))
+    fields = value if isinstance(value, dict) else getattr(value, "__dict__", {})
+    found = set[str]()
+    for name, inner in fields.items():
+        if name == "extras" or inner is None:
             continue
-        if name in ("attributes", "targets"):
-            copy[name] = _shifted(inner, ranges["accessors"])
-        elif name in REFERENCES and not isinstance(inner, dict):
-            copy[name] = _shifted(inner, ranges[REFERENCES[name]])
+        if name == "extensions" and isinstance(inner, dict):
+            found |= inner.keys()
+        if name in REFERENCES and not is_dataclass(inner):  # indices can be a record, too
+            fields[name] = _shifted(inner, ranges[REFERENCES[name]])
         else:
-            copy[name] = _renumbered(inner, ranges)
-    return copy
+            found |= _renumber(inner, ranges)
+    return found
 
 
-def _shifted(value: Any, numbers: Range) -> Any:
+def _shifted(value: Any, numbers: range) -> Any:
     """The numbers inside, renumbered; ValueError if one points nowhere."""
     if isinstance(value, dict):
         return {name: _shifted(inner, numbers) for name, inner in value.items()}
     if isinstance(value, list):
         return [_shifted(inner, numbers) for inner in value]
-    if type(value) is not int or not 0 <= value < numbers.length:
+    if type(value) is not int or not 0 <= value < len(numbers):
         raise ValueError("it points to parts that are not there")
-    return value + numbers.first
-
-
-def _without_extensions(value: Any) -> Any:
-    if isinstance(value, list):
-        return [_without_extensions(item) for item in value]
-    if isinstance(value, dict):
-        return {name: _without_extensions(v) for name, v in value.items() if name != "extensions"}
-    return value
-
-
-def _extensions(value: Any) -> set[str]:
-    """Names of all extensions with an object inside."""
-    if isinstance(value, list):
-        return set().union(*map(_extensions, value))
-    if isinstance(value, dict):
-        own = set(value.get("extensions", ()))
-        return own.union(*map(_extensions, value.values()))
-    return set()
+    return numbers[value]

@@ -161,6 +161,19 @@ def deep(value: dict[str, Any]) -> None:
     value["scenes"][0]["nodes"] = [start]
 
 
+def nested(value: dict[str, Any]) -> None:
+    """An extension that Python's own stack cannot walk through, but the decoder can."""
+    inner: dict[str, Any] = {}
+    for _ in range(800):
+        inner = {"inner": inner}
+    value["materials"] = [{"extensions": {"X": inner}}]
+
+
+def shared(value: dict[str, Any]) -> None:
+    """Slices that are small in the file and huge when each is written by itself."""
+    value["bufferViews"] += [value["bufferViews"][0]] * 10_000
+
+
 BREAKAGES: dict[str, tuple[Callable[[dict[str, Any]], object], str]] = {
     "external buffer": (lambda v: v["buffers"][0].update(uri="/etc/passwd"), "other files"),
     "web buffer": (lambda v: v["buffers"][0].update(uri="http://x/y.bin"), "other files"),
@@ -182,6 +195,10 @@ BREAKAGES: dict[str, tuple[Callable[[dict[str, Any]], object], str]] = {
     "heavy": (lambda v: [a.update(count=9 * 10**6, bufferView=None) for a in v["accessors"]],
               "simplify"),
     "missing material": (lambda v: v["meshes"][0]["primitives"][0].update(material=9), "not there"),
+    "nested": (nested, "nested too deeply"),
+    "shared": (shared, "over and over"),
+    "no count": (lambda v: v["accessors"][0].pop("count"), "no count - at `$.accessors[0]`"),
+    "no length": (lambda v: v["bufferViews"][0].pop("byteLength"), "$.bufferViews[0]"),
     "wrong type": (lambda v: v.update(nodes="all"), "$.nodes"),
 }  # fmt: skip
 
@@ -190,6 +207,30 @@ BREAKAGES: dict[str, tuple[Callable[[dict[str, Any]], object], str]] = {
 def test_a_broken_or_hostile_model_is_skipped_with_a_reason(tmp_path: Path, name: str) -> None:
     change, reason = BREAKAGES[name]
     assert reason in problem(tmp_path, changed(box_glb((2, 0.8, 0.9)), change))
+
+
+def test_parts_of_unknown_kinds_after_the_data_are_left_out(tmp_path: Path) -> None:
+    known = box_glb((2, 0.8, 0.9))
+    data = known + pack("<I4s8s", 8, b"XYZ\xff", b"whatever")
+    data = data[:8] + pack("<I", len(data)) + data[12:]
+    assert load(tmp_path, sofa=data).items[0].data == load(tmp_path, sofa=known).items[0].data
+
+
+def test_animations_cameras_and_lights_of_a_model_stay_behind(tmp_path: Path) -> None:
+    def decorate(value: dict[str, Any]) -> None:
+        value["cameras"] = [
+            {"type": "perspective", "perspective": {"yfov": 1.0, "znear": 0.1, "zfar": 9.0}}
+        ]
+        value["extensions"] = {"KHR_lights_punctual": {"lights": [{"type": "point"}]}}
+        value["extensionsUsed"] = ["KHR_lights_punctual"]
+        value["nodes"][0] |= {"camera": 0, "extensions": {"KHR_lights_punctual": {"light": 0}}}
+
+    data = changed(box_glb((2, 0.8, 0.9)), decorate)
+    assert complaints({"before": data}, tmp_path) == {}
+    (item,) = load(tmp_path, sofa=data).items
+    assert b"camera" not in item.data
+    assert b"KHR_lights_punctual" not in item.data
+    assert complaints({"after": item.data}, tmp_path) == {}
 
 
 @settings(deadline=None, max_examples=200)
