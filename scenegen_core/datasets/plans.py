@@ -24,7 +24,8 @@ BESIDE = 0.3  # metres; half of a thick wall: openings in it are that far from t
 HALF_HIDDEN = 0.5  # share of an opening's width; with less before it, a room is not beside it
 IN_WALL = 0.05  # metres; how far centers of things on sills and in niches are from the floor
 LOOPS = 0.05  # share of the floor; where an outline crosses itself, smaller loops are cut off
-LONGEST_NAME = 50  # characters of a file's name that go into ids
+LONGEST_ID = 80  # characters; what scene files allow
+LONGEST_PART = 60  # characters of an id; some sources have long names and ids
 
 
 def checked_room(
@@ -135,7 +136,8 @@ def upright_box(
 
 def scene_id(path: Path, *parts: str) -> str:
     """The id of a room of a file: the file's name without endings, then what tells its rooms."""
-    return "/".join((path.name.split(".")[0][:LONGEST_NAME], *parts))
+    rest = "".join(f"/{part}" for part in parts)[-LONGEST_PART:]
+    return path.name.split(".")[0][: LONGEST_ID - len(rest)] + rest
 
 
 def rounded(values: Iterable[float]) -> tuple[float, ...]:

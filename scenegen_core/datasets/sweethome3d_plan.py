@@ -8,7 +8,7 @@ from xml.etree.ElementTree import Element
 
 import numpy as np
 
-from scenegen_core.datasets.plans import LONGEST_NAME, rounded
+from scenegen_core.datasets.plans import LONGEST_PART, rounded
 from scenegen_core.errors import DataError
 from scenegen_core.scene.frames import heading_of_sweet_home_turn, sweet_home_to_core
 from scenegen_core.scene.model import DEFAULT_HEIGHT, Box, Opening, Point
@@ -67,7 +67,7 @@ def level_of(element: Element) -> str:
 def id_of(element: Element, number: int) -> str:
     """An id that people recognize: the name and a number, "bedside-table-12"."""
     words = "-".join(re.findall(r"\w+", element.get("name", "").lower()))
-    return "-".join(filter(None, (words[:LONGEST_NAME], str(number))))
+    return "-".join(filter(None, (words[:LONGEST_PART], str(number))))
 
 
 def height_of(home: Element, level: str) -> float:

@@ -10,7 +10,7 @@ import numpy as np
 from msgspec import Struct, field
 
 from scenegen_core.datasets.contents import Head, content
-from scenegen_core.datasets.plans import scene_id
+from scenegen_core.datasets.plans import LONGEST_ID, scene_id
 from scenegen_core.datasets.remarks import Report, Skipped
 from scenegen_core.datasets.thor import XYZ, Measure
 from scenegen_core.errors import DataError, SceneError
@@ -64,7 +64,7 @@ def rooms(path: Path) -> Iterator[tuple[str, str, Things]]:
             yield scene_id(path), "", msgspec.json.decode(text, type=Things)
         elif "objects" in fields:
             event = msgspec.json.decode(text, type=_Event)
-            yield event.scene or scene_id(path), _kind_of(event.scene), event.objects
+            yield event.scene[:LONGEST_ID] or scene_id(path), _kind_of(event.scene), event.objects
         else:
             kinds = msgspec.json.decode(text, type=dict[str, tuple[Things, ...]])
             for kind, of_kind in kinds.items():

@@ -143,6 +143,15 @@ def test_levels_are_kept_apart(draw: Draw) -> None:
     assert ([box.bottom for box in high.boxes], low.boxes) == ([0], ())
 
 
+def test_rooms_of_levels_with_long_ids_keep_ids_of_their_own(draw: Draw) -> None:
+    level = "level-7a1f0c1e-52b0-4d0c-9a55-0f7f0a1b2c3d"
+    path = draw(rooms=ROOMS.replace("<room ", f"<room level='{level}' "))
+    path = path.rename(path.with_name(f"{'long-' * 12}name.xml"))
+    scenes = read(path)
+    assert [read_scene(write_scene(scene)) for scene in scenes] == scenes
+    assert [scene.id[-3:] for scene in scenes] == ["/r0", "/r1"]
+
+
 def test_a_door_between_two_rooms_is_on_the_outlines_of_both(draw: Draw) -> None:
     # The leaf stands open: the box is 80 cm deep, of which the first 20 % are in the wall.
     door = (
