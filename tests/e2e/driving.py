@@ -135,7 +135,16 @@ class Desk:
         expect(menu).to_be_hidden()
         self.wait_for_saved(lambda scene: bool(scene["name"] == name))
         expect(self.page.locator("button.room-name")).to_have_text(name)
+        self.wait_until_stored()
+
+    def wait_until_stored(self) -> None:
+        """Until the server has acknowledged all that it was sent."""
+        self.wait_for(self._waiting, lambda waiting: not waiting)
         expect(self.connection).to_have_text("Connected")
+
+    def _waiting(self) -> set[int]:
+        told = {one["seq"] for one in self.heard if one["type"] == "ack"}
+        return {one["seq"] for one in self.sent if "seq" in one} - told
 
     def choose_mode(self, mode: str) -> None:
         """SceneGen or Manual."""
@@ -167,8 +176,8 @@ class Desk:
 
 
 @contextmanager
-def desk_at(browser: Browser, url: str) -> Iterator[Desk]:
-    """A page on a desktop, greeted and connected; it must not complain."""
+def desk_at(browser: Browser, url: str, *, tolerated: str | None = None) -> Iterator[Desk]:
+    """A page on a desktop, greeted and connected; it must complain of nothing but what is told."""
     expect.set_options(timeout=PATIENCE * 1000)
     context = browser.new_context(viewport=SMALL_DESK, reduced_motion="reduce")
     page = context.new_page()
@@ -176,7 +185,8 @@ def desk_at(browser: Browser, url: str) -> Iterator[Desk]:
     complaints: list[str] = []
 
     def listen(message: ConsoleMessage) -> None:
-        if message.type == "error":
+        known = tolerated is not None and tolerated in message.text
+        if message.type == "error" and not known:
             complaints.append(message.text)
 
     page.on("console", listen)

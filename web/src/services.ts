@@ -3,6 +3,7 @@ import type { Services, StageView } from "./contract";
 import { sceneOf } from "./memory";
 import type { SceneRecord } from "./net/protocol.gen";
 import { queryOf } from "./net/questions";
+import { fileProblem } from "./room_files";
 import type { Store } from "./store";
 
 const OFFLINE =
@@ -28,7 +29,10 @@ export function createServices(store: Store, stage: Pick<StageView, "viewPoint">
     },
 
     async openSceneFile(file) {
-      const response = await post("/scenes/check", await file.text());
+      const text = await file.text();
+      const wrong = fileProblem(text);
+      if (wrong !== null) return problem(wrong);
+      const response = await post("/scenes/check", text);
       if (response === null) return problem(OFFLINE);
       if (!response.ok) return problem(await sentenceOf(response));
       const scene = (await response.json()) as SceneRecord;
