@@ -15,8 +15,9 @@ from scenegen_core.knowledge.marginals import Bar, CategoryMarginals, KnowledgeM
 TITLE = "What does it know?"
 INTRODUCTION = (
     "SceneGen learned from rooms how each kind of furniture stands in them. Each bar is the share "
-    "of its examples that it holds for, with their count. What is near is less than 1 m away; a thing is at an edge "
-    "if one wall is that near to its middle, in a corner if two are, so large things seldom are."
+    "of its examples that it holds for, with their count. What is near is less than 1 m away. A "
+    "thing is at an edge if one wall is that near to its middle, in a corner if two are: large "
+    "things seldom are."
 )
 WIDTH, ROW_HEIGHT = 5.4, 2.4  # inches
 BAR, SEVERAL_BAR = COLORS[6], COLORS[2]

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from html import escape
 
 from scenegen_core.evaluation.exports import spans
@@ -70,7 +71,7 @@ def paragraph(words: str, kind: str = "") -> str:
     return f'<p class="{kind}">{escape(words)}</p>\n' if kind else f"<p>{escape(words)}</p>\n"
 
 
-def listed(sentences: list[str]) -> str:
+def listed(sentences: Iterable[str]) -> str:
     """Sentences as a list."""
     return "<ul>" + "".join(f"<li>{escape(one)}</li>" for one in sentences) + "</ul>\n"
 

@@ -40,6 +40,8 @@ class Settings(Struct, frozen=True):
     seed: int
     systems: tuple[str, ...]
     rooms: int
+    taught: int
+    """Rooms judged on that also taught the knowledge; 0 in folds."""
     left_out: dict[str, int]
     """Category -> cases not asked, since too few examples were left to learn from."""
     version: str

@@ -3,14 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
 import msgspec
 
-from scenegen_core.evaluation import comparison_tables as comparisons
-from scenegen_core.evaluation import report_tables as tables
 from scenegen_core.evaluation.curves import PLOTS, draw
 from scenegen_core.evaluation.exports import as_csv, as_json, as_latex, as_markdown, provenance
 from scenegen_core.evaluation.names import MEASURES, TASKS
@@ -23,31 +20,16 @@ from scenegen_core.evaluation.page import (
     section,
     table_html,
 )
+from scenegen_core.evaluation.parts import Part, parts_of
 from scenegen_core.evaluation.records import Record, Settings
 from scenegen_core.evaluation.report_tables import Judged
 from scenegen_core.evaluation.report_words import (
-    COMPARABLE,
-    FIVES,
-    TASK_WORDS,
     headline,
-    ordering,
-    what_was_judged,
 )
 from scenegen_core.evaluation.tables import Table
 
 TITLE = "How good is it?"
 THE_PAPER = "Keshavarzi et al. 2020, tables 1 and 2, Matterport3D"
-
-
-@dataclass(frozen=True, slots=True)
-class Part:
-    """A section: words, then tables beside each other, row by row; then plots by their ids."""
-
-    id: str
-    title: str
-    words: str
-    tables: tuple[tuple[Table, ...], ...]
-    plots: tuple[str, ...] = ()
 
 
 def write_report(
@@ -59,7 +41,7 @@ def write_report(
     """
     judged = Judged(settings, records, results)
     plots = {curves.id: found for curves in PLOTS if (found := draw(curves, records))}
-    parts = [part for part in _parts(judged, plots) if part.tables or part.plots]
+    parts = parts_of(judged, plots)
     for folder in ("tables", "plots"):
         (out / folder).mkdir(parents=True, exist_ok=True)
     for part in parts:
@@ -72,62 +54,6 @@ def write_report(
     (out / "results.json").write_bytes(msgspec.json.format(msgspec.json.encode(everything)))
     (out / "results.md").write_text(_markdown(judged, parts), encoding="utf-8")
     (out / "index.html").write_text(_page(judged, parts, plots), encoding="utf-8")
-
-
-def _parts(judged: Judged, plots: Mapping[str, str]) -> list[Part]:
-    def drawn(task: str) -> tuple[str, ...]:
-        return tuple(name for name in plots if name.startswith(f"curve_{task}"))
-
-    return [
-        Part("judged", "What was judged", "", ((tables.counts(judged),),)),
-        Part(
-            "joint",
-            "Place and heading",
-            TASK_WORDS["joint"],
-            _kept(tables.joint(judged), *tables.joint_by_category(judged)),
-            drawn("joint"),
-        ),
-        Part(
-            "position",
-            "Place, the heading given",
-            TASK_WORDS["position"],
-            _kept(tables.position(judged)),
-            drawn("position"),
-        ),
-        Part(
-            "orientation",
-            "Heading, the place given",
-            TASK_WORDS["orientation"],
-            _kept(tables.orientation(judged)),
-            drawn("orientation"),
-        ),
-        Part(
-            "paper",
-            "Beside the paper",
-            ordering(judged),
-            (
-                *_beside(comparisons.steps(judged), comparisons.published_steps()),
-                (comparisons.published_position(),),
-                (comparisons.published_orientation(),),
-            ),
-        ),
-        Part("skill", "Skill", "", _kept(comparisons.skill(judged))),
-        Part(
-            "yardsticks", "Yardsticks", TASK_WORDS["yardsticks"], _kept(*tables.yardsticks(judged))
-        ),
-        Part("differences", "Differences", "", _kept(comparisons.differences(judged))),
-        Part("sources", "By source", TASK_WORDS["sources"], _kept(*tables.by_source(judged))),
-        Part("facts", "Hard facts", TASK_WORDS["facts"], _kept(tables.physical(judged))),
-    ]
-
-
-def _kept(*found: Table) -> tuple[tuple[Table, ...], ...]:
-    """The tables that say something, each in a row of its own."""
-    return tuple((table,) for table in found if table.rows and table.columns)
-
-
-def _beside(one: Table, other: Table) -> tuple[tuple[Table, ...], ...]:
-    return ((one, other),) if one.rows else ((other,),)
 
 
 def _write_table(folder: Path, table: Table, settings: Settings) -> None:
@@ -156,11 +82,7 @@ def _page(judged: Judged, parts: list[Part], plots: Mapping[str, str]) -> str:
     ]
     for part in parts:
         words = paragraph(part.words) if part.words else ""
-        words += {
-            "judged": listed(what_was_judged(judged)),
-            "joint": paragraph(FIVES, "note"),
-            "paper": listed(COMPARABLE),
-        }.get(part.id, "")
+        words += listed(part.notes) if part.notes else ""
         rows = [
             f'<div class="beside">{"".join(map(table_html, row))}</div>\n' for row in part.tables
         ]
@@ -178,14 +100,14 @@ def _markdown(judged: Judged, parts: list[Part]) -> str:
         "writes this page as `results.md` into the folder of its report. In brackets: 95 %",
         "intervals by rooms. The paper's numbers are in `scenegen_core/evaluation/published.py`.\n",
         *headline(judged),
-        "",
-        *(f"- {sentence}" for sentence in what_was_judged(judged)),
     ]
     for part in parts:
         ours = [table for row in part.tables for table in row if table.id[:9] != "published"]
         if not ours:
             continue
-        lines += ["", f"## {part.title}", *filter(None, ["", part.words])]
+        lines += ["", f"## {part.title}"]
+        lines += ["", part.words] if part.words else []
+        lines += ["", *(f"- {note}" for note in part.notes)] if part.notes else []
         for table in ours:
             lines += ["", f"**{table.title}**", "", as_markdown(table).rstrip()]
             lines += ["", table.note] if table.note else []

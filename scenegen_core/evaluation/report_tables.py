@@ -12,16 +12,13 @@ import numpy as np
 from scenegen_core.evaluation.bench import Task
 from scenegen_core.evaluation.names import (
     BOUND,
-    FACTS,
     MEASURES,
     ORIENTATION_SYSTEMS,
     POSITION_SYSTEMS,
-    TASKS,
     UNITS,
     title,
     with_unit,
 )
-from scenegen_core.evaluation.physical import PHYSICAL
 from scenegen_core.evaluation.records import Record, Settings
 from scenegen_core.evaluation.summary import Means, means
 from scenegen_core.evaluation.tables import (
@@ -153,95 +150,3 @@ def _close(judged: Judged, name: str) -> Cell:
         for room, e in found
     ]
     return cell(means(hits, rng=np.random.default_rng(judged.settings.seed)), "top1")
-
-
-def joint_by_category(judged: Judged) -> tuple[Table, ...]:
-    """The joint task by category: one table a measure."""
-    return tuple(
-        _by_system(judged, "joint", measure, f"By category, {MEASURES[measure]}")
-        for measure in ("top1", "spread5", "angle")
-    )
-
-
-def yardsticks(judged: Judged) -> tuple[Table, ...]:
-    """All systems where the heading, or the place, is given."""
-    return (
-        _by_system(judged, "position", "top1", "Heading given, best place"),
-        _by_system(judged, "position", "spread5", "Heading given, nearest of 5 that differ"),
-        _by_system(judged, "orientation", "angle", "Place given, angle"),
-    )
-
-
-def _by_system(judged: Judged, task: Task, measure: str, heading: str) -> Table:
-    systems = [s for s in judged.systems(task) if measure in judged.means(s, task)]
-    names = [
-        n for n in judged.categories if any(measure in judged.means(s, task, n) for s in systems)
-    ]
-    unit = UNITS[measure]
-    rows = [
-        Row(title(s), tuple(cell(judged.means(s, task, n), measure) for n in names))
-        for s in systems
-    ]
-    unit_word = {"m": "metres", "rad": "radians"}[unit]
-    table = Table(
-        f"{task}_{measure}_by_category",
-        f"{heading}, {unit_word}",
-        "",
-        "system",
-        tuple(Column(name, unit) for name in names),
-        tuple(rows),
-    )
-    return best_of_column(table, [title(BOUND)])
-
-
-def by_source(judged: Judged) -> tuple[Table, ...]:
-    """Each task by source of the rooms, all categories."""
-    return (
-        _by_source(judged, "joint", ("top1", "spread5", "angle"), judged.systems("joint")),
-        _by_source(judged, "position", ("top1", "top5", "spread5"), POSITION_SYSTEMS),
-        _by_source(judged, "orientation", ("angle",), ORIENTATION_SYSTEMS),
-    )
-
-
-def _by_source(
-    judged: Judged, task: Task, measures: Sequence[str], systems: Sequence[str] | Mapping[str, str]
-) -> Table:
-    words = systems if isinstance(systems, Mapping) else {name: title(name) for name in systems}
-    asked = [name for name in words if name in judged.systems(task)]
-    columns, cells = [], dict[str, list[Cell]]({name: [] for name in asked})
-    for source in judged.sources:
-        part = [record for record in judged.records if record.source == source]
-        rng = np.random.default_rng(judged.settings.seed)
-        columns += [Column(with_unit(m), UNITS[m], source or "unnamed") for m in measures]
-        for name in asked:
-            rows = [(r.room, e[task]) for r in part if task in (e := r.errors.get(name, {}))]
-            found = means(rows, rng=rng) if rows else {}
-            cells[name] += [cell(found, measure) for measure in measures]
-    table = Table(
-        f"{task}_by_source",
-        f"By source: {TASKS[task]}",
-        "",
-        "system",
-        tuple(columns),
-        tuple(Row(words[name], tuple(row)) for name, row in cells.items()),
-    )
-    return best_of_column(table, [title(BOUND)])
-
-
-def physical(judged: Judged) -> Table:
-    """Shares of answers that break a hard fact; and of the true places."""
-    rows = [
-        Row(title(name), tuple(Cell(tables["physical"][fact]) for fact in PHYSICAL))
-        for name, tables in judged.results["models"].items()
-        if "physical" in tables
-    ]
-    truth = [Cell(float(np.mean([r.truth[fact] for r in judged.records]))) for fact in PHYSICAL]
-    rows.append(Row("Where it really stood", tuple(truth)))
-    columns = tuple(Column(FACTS[fact], "share", better="") for fact in PHYSICAL)
-    note = (
-        "Runs into something: footprints share more than 2 % of the smaller, and more than 1 cm of "
-        "height; chairs at tables and rugs excepted. Leaves the room: more than 1 % of the "
-        "footprint. Stands before a door: on the square inside it. Bars a way: a door, seat, bed "
-        "or storage that a walker 0.6 m wide reached is no longer reached."
-    )
-    return Table("physical", "Hard facts, share of answers", note, "system", columns, tuple(rows))

@@ -33,7 +33,8 @@ FIVES = (
     "5 that differ” takes five at least 0.75 m apart, as the program offers them."
 )
 
-COMPARABLE = """\
+COMPARABLE = tuple(
+    """\
 The paper's rooms are those of Matterport3D, which may not be passed on; ours are others. Metres \
 grow with rooms: never set our metres beside the paper's alone.
 What can be compared: how much an error falls from a reduced system to a fuller one, the order of \
@@ -45,9 +46,10 @@ random and so lie apart: RP alone knows a handful of scores, which makes its nea
 small. Of five that differ, all systems' lie apart.
 Intervals are 95 %, from drawing the rooms again 1,000 times; objects of one room hang together.\
 """.splitlines()
+)
 
 
-def what_was_judged(judged: Judged) -> list[str]:
+def what_was_judged(judged: Judged) -> tuple[str, ...]:
     """Data, folds, seed, what was left out."""
     settings = judged.settings
     rooms, queries = judged.results["rooms"], judged.results["queries"]
@@ -59,11 +61,15 @@ def what_was_judged(judged: Judged) -> list[str]:
         )
     else:
         sentences.append(f"Asked with what was learned from {', '.join(settings.learned)}.")
+    if settings.taught:
+        sentences.append(
+            f"{settings.taught} of these rooms have taught that knowledge: the numbers flatter it."
+        )
     sentences += [
         f"{name}: {count} objects not asked, for less than {MIN_EXAMPLES} examples to learn from."
         for name, count in settings.left_out.items()
     ]
-    return [*sentences, f"Seed {settings.seed}, version {settings.version}."]
+    return (*sentences, f"Seed {settings.seed}, version {settings.version}.")
 
 
 def headline(judged: Judged) -> list[str]:

@@ -19,9 +19,9 @@ from scenegen_core.datasets.formats import read_all
 from scenegen_core.datasets.remarks import Skipped, UnknownLabel
 from scenegen_core.errors import DataError
 from scenegen_core.evaluation.drawing import need_drawing
+from scenegen_core.evaluation.jobs import Job, cross_validated, held_out, left_out, taught
 from scenegen_core.evaluation.records import Journal, Record, Settings
 from scenegen_core.evaluation.report import write_report
-from scenegen_core.evaluation.run import Job, cross_validated, held_out, left_out
 from scenegen_core.evaluation.run import run as run_jobs
 from scenegen_core.evaluation.summary import MEASURES, summarize
 from scenegen_core.evaluation.systems import SYSTEMS
@@ -83,7 +83,12 @@ def run(arguments: Namespace) -> int:
     systems = tuple(
         system.name for system in SYSTEMS if system.name in (arguments.model or [system.name])
     )
-    settings = _settings(arguments, systems, len(judged), left_out(jobs))
+    settings = _settings(arguments, systems, judged, jobs)
+    if settings.taught:
+        print(
+            f"{settings.taught} of these rooms have taught the knowledge: the numbers flatter it",
+            file=sys.stderr,
+        )
     for name, count in settings.left_out.items():
         print(f"{name}: {count} left out, too few examples to learn from", file=sys.stderr)
     journal = Journal(arguments.out / JOURNAL if arguments.out else None, settings)
@@ -112,7 +117,7 @@ def _check(arguments: Namespace) -> None:
 
 
 def _settings(
-    arguments: Namespace, systems: tuple[str, ...], rooms: int, missing: dict[str, int]
+    arguments: Namespace, systems: tuple[str, ...], scenes: tuple[Scene, ...], jobs: list[Job]
 ) -> Settings:
     judged = arguments.test or arguments.data
     learned = arguments.data if arguments.test else []
@@ -129,8 +134,9 @@ def _settings(
         folds=0 if arguments.test else arguments.folds,
         seed=arguments.seed,
         systems=systems,
-        rooms=rooms,
-        left_out=missing,
+        rooms=len(scenes),
+        taught=taught(scenes, jobs[0].knowledge) if arguments.test else 0,
+        left_out=left_out(jobs),
         version=version("scenegen"),
     )
 
@@ -148,8 +154,11 @@ def _scenes(paths: list[Path]) -> tuple[Scene, ...]:
 
 def _jobs(arguments: Namespace, judged: tuple[Scene, ...]) -> list[Job]:
     if not arguments.test:
-        folds, seed = arguments.folds, arguments.seed
-        return list(cross_validated(judged, PAPER_CATEGORIES, folds, seed=seed))
+        jobs = []
+        for job in cross_validated(judged, PAPER_CATEGORIES, arguments.folds, seed=arguments.seed):
+            jobs.append(job)
+            print(f"learned for fold {len(jobs)} of {arguments.folds}", file=sys.stderr)
+        return jobs
     if arguments.data:
         lessons = _scenes(arguments.data)
         return [held_out(judged, learn(lessons, PAPER_CATEGORIES), lessons)]
