@@ -33,12 +33,23 @@ describe("placing", () => {
     expect(said(asked, action)).toBe("2 good places. Against the north wall.");
   });
 
+  test("says why there can be no answer", () => {
+    const text = "A sofa cannot be 90 m. Make it smaller.";
+    expect(said(play(begin(), place), { type: "ask-refused", text })).toBe(text);
+  });
+
+  test("does not count the good places for whoever finds one by hand", () => {
+    const [asked, action] = answered();
+    const byHand = play(asked, { type: "set-mode", mode: "manual", view: [2, 2] });
+    expect(said(byHand, action)).toBeNull();
+  });
+
   test("says why there is none", () => {
     const [asked, action] = answered({
       placements: [],
       no_good_place: { rule: "wall", text: "No free wall is wide enough." },
     });
-    expect(said(asked, action)).toBe("No good place. No free wall is wide enough.");
+    expect(said(asked, action)).toBe("No free wall is wide enough.");
   });
 
   test("says the number and the sentence of another place", () => {
@@ -118,6 +129,13 @@ test("says when the connection goes and comes back", () => {
   expect(said(online, gone)).toBe("The connection is gone. You can go on; I'll catch up.");
   expect(said(play(online, gone), { type: "connection", connection: { status: "online" } })).toBe(
     "Connected again.",
+  );
+});
+
+test("says what to do when the connection is closed for good", () => {
+  const ended = "This room is open in another tab. Reload to take it back.";
+  expect(said(begin(), { type: "connection", connection: { status: "offline", ended } })).toBe(
+    ended,
   );
 });
 

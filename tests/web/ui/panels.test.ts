@@ -68,7 +68,9 @@ describe("the place panel", () => {
         no_good_place: { rule: "wall", text: "No free wall is wide enough." },
       }),
     );
-    expect(words).toContain("No good place. No free wall is wide enough. Try a smaller size");
+    expect(words).toContain(
+      "No free wall is wide enough. Or put it where you want it: choose Manual.",
+    );
   });
 
   test("has no list of places in Manual", () => {

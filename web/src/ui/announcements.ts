@@ -41,10 +41,11 @@ function placing(before: State, after: State): string | null {
   if (placing === null) return null;
   const name = inSentence(placing.category);
   if (before.placing?.category !== placing.category) return `Placing: ${name}.`;
-  const { answer, alternative, inspected } = placing;
-  if (answer !== before.placing.answer && answer !== null) {
+  const { answer, alternative, inspected, problem } = placing;
+  if (problem !== before.placing.problem && problem !== null) return problem;
+  if (answer !== before.placing.answer && answer !== null && placing.mode === "scenegen") {
     if (answer.no_good_place !== null && answer.placements.length === 0) {
-      return `No good place. ${answer.no_good_place.text}`;
+      return answer.no_good_place.text;
     }
     return `${counted(answer.placements.length, "good place")}. ${sentenceOf(after)}`;
   }
@@ -100,6 +101,8 @@ function drawing(before: State, after: State): string | null {
 }
 
 function connection(before: State, after: State): string | null {
+  const { ended } = after.connection;
+  if (ended !== before.connection.ended && ended !== null) return ended;
   const [was, is] = [before.connection.status, after.connection.status];
   if (was === is) return null;
   if (is === "offline") return "The connection is gone. You can go on; I'll catch up.";

@@ -16,8 +16,8 @@ export function places(page: Page, placing: Placing): TemplateResult {
   if (answer.no_good_place !== null && answer.placements.length === 0) {
     return html`<div class="no-place">
       ${noPlacePicture()}
-      <p><b>No good place.</b> ${answer.no_good_place.text}</p>
-      <p class="quiet">Try a smaller size, move something, or put it there yourself.</p>
+      <p>${answer.no_good_place.text}</p>
+      <p class="quiet">Or put it where you want it: choose Manual.</p>
     </div>`;
   }
   return html`<ol class="places" aria-label="Good places" aria-busy=${computing}>
@@ -37,8 +37,10 @@ export function places(page: Page, placing: Placing): TemplateResult {
 }
 
 function waiting({ state }: Page): TemplateResult {
-  if (state.connection.status === "offline") {
-    return html`<p class="quiet">Good places come when the connection is back. Until then, put it yourself: choose Manual.</p>`;
+  const { status, ended } = state.connection;
+  if (status === "offline") {
+    const words = ended ?? "Good places come when the connection is back.";
+    return html`<p class="quiet">${words} Until then, put it yourself: choose Manual.</p>`;
   }
   return html`<div class="places" aria-busy="true">
     <p class="quiet">Looking for good places…</p>
