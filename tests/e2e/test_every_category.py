@@ -38,7 +38,7 @@ def desk(browser: Browser, server_url: str) -> Iterator[Desk]:
         yield desk
 
 
-@pytest.mark.parametrize(("turn", "room"), enumerate(ROOMS))
+@pytest.mark.parametrize(("turn", "room"), list(enumerate(ROOMS)))
 def test_every_room_opens_and_takes_what_fits(desk: Desk, turn: int, room: str) -> None:
     desk.open_room(room)
     expect(desk.things).to_have_count(ROOMS[room])
