@@ -110,7 +110,6 @@ def test_the_map_leaves_as_a_picture_and_the_room_as_a_model(desk: Desk, tmp_pat
     image = Image.open(io.BytesIO(picture))
     assert image.format == "PNG"
     assert len(image.convert("RGB").getcolors(1 << 24) or []) > 10
-    (tmp_path / "map.png").write_bytes(picture)
     assert content_of(exported(desk, "Room as a 3D model (GLB)"), tmp_path)[:4] == b"glTF"
     scene = json.loads(content_of(exported(desk, "Scene file (JSON)"), tmp_path))
     assert scene == desk.saved()
