@@ -51,7 +51,7 @@ export function place(state: State, wish: Wish): State {
 export function setMode(state: State, mode: Mode, view: Point): State {
   const { placing, scene } = state;
   if (placing === null || placing.mode === mode) return state;
-  const byHand = { ...placing, mode, alternative: null, inspected: null, inspectedPose: null };
+  const byHand = { ...placing, ...UNTOLD, problem: placing.problem, mode, alternative: null };
   if (mode === "manual") {
     const pose = poseAt(scene, placing.category, placing.size, view);
     return { ...state, placing: { ...byHand, pose } };

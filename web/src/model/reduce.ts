@@ -50,6 +50,7 @@ const BY_ITSELF: ReadonlySet<Action["type"]> = new Set([
   "answer",
   "inspected",
   "ask-refused",
+  "stop-waiting",
   "graph",
 ] as const);
 

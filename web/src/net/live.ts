@@ -4,6 +4,7 @@ import type { Store } from "../store";
 import type { AssetCache } from "./assets";
 import { heatMapOf, parseFrame } from "./binary";
 import type { Listener } from "./connection";
+import { endingOf } from "./endings";
 import {
   acknowledged,
   adopted,
@@ -30,13 +31,6 @@ import { askedOf, inspectionDone, NO_QUESTIONS, poseInspected } from "./question
 const PAUSE = 500;
 /** So long a confirmation waits for what the server says of the place, milliseconds. */
 const PATIENCE = 6000;
-/** Why the server closes a connection for good, by code, and what to do. */
-const ENDINGS: Readonly<Record<number, string>> = {
-  4400: "This page is older than the server. Reload it.",
-  4401: "The server could not understand this page. Reload it to go on.",
-  4402: "This room is open in another tab. Reload to take it back.",
-  4403: "Too many pages are open. Close some, then reload this one.",
-};
 
 export interface Ties {
   readonly store: Store;
@@ -107,7 +101,7 @@ export class Live implements Listener {
 
   refused(code: number, reason: string): void {
     this.lost();
-    const ended = ENDINGS[code] ?? (reason || "The connection was closed. Reload the page.");
+    const ended = endingOf(code, reason);
     this.#ties.store.dispatch({ type: "connection", connection: { ended } });
   }
 
