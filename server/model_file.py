@@ -11,6 +11,9 @@ from struct import pack, unpack_from
 import msgspec
 import numpy as np
 import pygltflib
+from trimesh import transform_points
+from trimesh.bounds import corners
+from trimesh.transformations import quaternion_matrix
 
 from server.furniture.mesh import Floats
 from server.gltf_records import Accessor, Gltf, Node, Primitive
@@ -68,7 +71,7 @@ def roots_of(gltf: Gltf) -> list[int]:
 
 def bounds_of(gltf: Gltf) -> Floats:
     """Lowest and highest coordinates (2, 3) of all triangles, through the nodes; ValueError."""
-    corners: list[Floats] = []
+    outermost: list[Floats] = []
     triangles, seen = 0, set[int]()
     waiting = [(root, np.eye(4), 1) for root in roots_of(gltf)]
     while waiting:
@@ -82,13 +85,13 @@ def bounds_of(gltf: Gltf) -> Floats:
         if node.mesh is not None:
             for primitive in gltf.meshes[node.mesh].primitives:
                 if primitive.mode in TRIANGLE_MODES:
-                    corners.append(_corners(gltf, primitive) @ matrix[:3, :3].T + matrix[:3, 3])
+                    outermost.append(transform_points(_corners(gltf, primitive), matrix))
                     triangles += _count(gltf, primitive) // 3
     if triangles == 0:
         raise ValueError("it has no triangles")
     if triangles > MAX_TRIANGLES:
         raise ValueError(f"it has {triangles:,} triangles; simplify it to {MAX_TRIANGLES:,}")
-    points = np.concatenate(corners)
+    points = np.concatenate(outermost)
     if not np.isfinite(points).all():
         raise ValueError("some of its coordinates are not numbers")
     return np.array([points.min(axis=0), points.max(axis=0)])
@@ -166,12 +169,7 @@ def _matrix(node: Node) -> Floats:
     if node.matrix is not None:
         return np.array(node.matrix).reshape(4, 4).T
     x, y, z, w = node.rotation or (0.0, 0.0, 0.0, 1.0)
-    matrix = np.eye(4)
-    matrix[:3, :3] = [
-        [1 - 2 * (y * y + z * z), 2 * (x * y - z * w), 2 * (x * z + y * w)],
-        [2 * (x * y + z * w), 1 - 2 * (x * x + z * z), 2 * (y * z - x * w)],
-        [2 * (x * z - y * w), 2 * (y * z + x * w), 1 - 2 * (x * x + y * y)],
-    ]
+    matrix: Floats = quaternion_matrix((w, x, y, z))
     matrix[:3, :3] *= node.scale or (1.0, 1.0, 1.0)
     matrix[:3, 3] = node.translation or (0.0, 0.0, 0.0)
     return matrix
@@ -184,8 +182,8 @@ def _corners(gltf: Gltf, primitive: Primitive) -> Floats:
     accessor = gltf.accessors[primitive.attributes["POSITION"]]
     if len(accessor.min) != 3 or len(accessor.max) != 3:  # noqa: PLR2004 (x, y, z)
         raise ValueError("one of its parts does not say how large it is")
-    limits = np.array([accessor.min, accessor.max])
-    return limits[np.indices((2, 2, 2)).reshape(3, 8).T, np.arange(3)]
+    points: Floats = corners([accessor.min, accessor.max])
+    return points
 
 
 def _count(gltf: Gltf, primitive: Primitive) -> int:

@@ -10,6 +10,7 @@ from collections.abc import Callable
 from math import cos, sin
 
 import numpy as np
+from trimesh.transformations import rotation_matrix
 
 from scenegen_core.scene.frames import page_turn, to_page
 from scenegen_core.scene.model import Box, Room, Scene
@@ -76,9 +77,7 @@ def _furniture(packer: Packer, box: Box, guest: Guest, model: Model) -> int:
         (np.abs(wanted - own) > CLOSE) & (own > CLOSE), wanted / np.maximum(own, CLOSE), 1.0
     )
     half = page_turn(box.heading) / 2
-    turn = np.array(
-        [[cos(2 * half), 0, sin(2 * half)], [0, 1, 0], [-sin(2 * half), 0, cos(2 * half)]]
-    )
+    turn = rotation_matrix(2 * half, (0, 1, 0))[:3, :3]
     place = to_page(np.array(box.center)) - turn @ (scale * bounds.mean(axis=0))
     return packer.node(
         box.label or box.category,

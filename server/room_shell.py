@@ -8,10 +8,11 @@ from itertools import pairwise, product
 
 import numpy as np
 import shapely
+from trimesh import unitize
 
 from scenegen_core.scene.frames import to_page
 from scenegen_core.scene.model import Opening, Point, Room
-from server.furniture.mesh import Floats, Ints, Mesh, unit
+from server.furniture.mesh import Floats, Mesh, facing
 
 THICKNESS = 0.1  # metres; how deep doors and windows lie in the walls
 FAR = 0.3  # metres; an opening further than that from every wall is in none
@@ -40,7 +41,7 @@ def floor_mesh(room: Room) -> Mesh:
     positions = np.concatenate([points, np.zeros((len(points), 1))], axis=1)
     faces = np.arange(len(points)).reshape(-1, 3)
     normals = np.tile(UP, (len(points), 1))
-    return Mesh(to_page(positions), to_page(normals), _facing(positions, normals, faces))
+    return Mesh(to_page(positions), to_page(normals), facing(positions, normals, faces))
 
 
 def wall_mesh(room: Room) -> Mesh:
@@ -99,7 +100,7 @@ def solid_parts(length: float, height: float, holes: list[Hole]) -> list[Hole]:
 def _axes(start: Point, end: Point) -> tuple[Floats, Floats, Floats]:
     """The start, the direction along the wall and the one into the room, each (3,)."""
     origin = np.array([*start, 0.0])
-    along = unit(np.array([*end, 0.0]) - origin)
+    along = unitize(np.array([*end, 0.0]) - origin)
     return origin, along, np.array([-along[1], along[0], 0.0])
 
 
@@ -150,11 +151,4 @@ def _merged(quads: list[Quad]) -> Mesh:
     normals = np.repeat([quad.normal for quad in quads], 4, axis=0)
     starts = 4 * np.arange(len(quads))
     faces = np.concatenate([starts[:, None] + (0, 1, 2), starts[:, None] + (0, 2, 3)])
-    return Mesh(to_page(positions), to_page(normals), _facing(positions, normals, faces))
-
-
-def _facing(positions: Floats, normals: Floats, faces: Ints) -> Ints:
-    """The faces, each turned so that it looks along the normal of its first corner."""
-    a, b, c = (positions[faces[:, corner]] for corner in range(3))
-    away = np.einsum("ij,ij->i", np.cross(b - a, c - a), normals[faces[:, 0]]) < 0
-    return np.where(away[:, None], faces[:, ::-1], faces)
+    return Mesh(to_page(positions), to_page(normals), facing(positions, normals, faces))

@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import numpy as np
+from trimesh import unitize
 
 from scenegen_core.scene.model import Vector3
 from server.furniture import beds, chairs, decor, others, pictures, sofas, storage, tables
 from server.furniture.design import Design, bounds
 from server.furniture.glb import Packer
 from server.furniture.materials import Material
-from server.furniture.mesh import Floats, Mesh, merged, unit
+from server.furniture.mesh import Floats, Mesh, merged
 
 __all__ = ["furniture_glb", "on_wall"]
 
@@ -70,7 +71,7 @@ def _pack(name: str, parts: list[tuple[Material, Mesh]], low: Floats, size: Floa
             packer.primitive(
                 packer.material(material),
                 (positions - was_low) * scale + low,
-                unit(normals / scale),
+                unitize(normals / scale),
                 colors if material.painted else None,
                 faces,
             )

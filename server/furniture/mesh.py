@@ -7,13 +7,18 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import dataclass
-from math import cos, sin
 
 import numpy as np
 from numpy.typing import NDArray
+from trimesh import transform_points
+from trimesh.geometry import mean_vertex_normals
+from trimesh.transformations import rotation_matrix
+from trimesh.triangles import cross
+from trimesh.util import append_faces
 
 Floats = NDArray[np.float64]
 Ints = NDArray[np.int64]
+Triple = tuple[float, float, float]
 
 WHITE = (1.0, 1.0, 1.0)
 
@@ -28,7 +33,7 @@ class Mesh:
     """(vertices, 3), of unit length."""
     faces: Ints
     """(triangles, 3), vertex numbers."""
-    color: tuple[float, float, float] = WHITE
+    color: Triple = WHITE
     """Linear RGB, multiplied with the material's where that is a painted one."""
 
     def moved(self, x: float = 0.0, y: float = 0.0, z: float = 0.0) -> Mesh:
@@ -37,15 +42,15 @@ class Mesh:
 
     def leaning(self, angle: float, y: float, z: float) -> Mesh:
         """The mesh turned about the line along x through (y, z); positive tips its top to +z."""
-        return self._turned(_turn(1, 2, angle), np.array([0.0, y, z]))
+        return self._turned(angle, (1, 0, 0), (0, y, z))
 
     def turned(self, angle: float, x: float = 0.0, z: float = 0.0) -> Mesh:
         """The mesh turned about the upright line through (x, z), anticlockwise from above."""
-        return self._turned(_turn(2, 0, angle), np.array([x, 0.0, z]))
+        return self._turned(angle, (0, 1, 0), (x, 0, z))
 
     def tilted(self, angle: float, x: float, y: float) -> Mesh:
         """The mesh turned about the line along z through (x, y), anticlockwise from the front."""
-        return self._turned(_turn(0, 1, angle), np.array([x, y, 0.0]))
+        return self._turned(angle, (0, 0, 1), (x, y, 0))
 
     def both_sides(self) -> Mesh:
         """The mesh with a second layer that looks the other way, for leaves and cloth."""
@@ -56,43 +61,29 @@ class Mesh:
             self.color,
         )
 
-    def _turned(self, matrix: Floats, pivot: Floats) -> Mesh:
-        positions = (self.positions - pivot) @ matrix.T + pivot
-        return Mesh(positions, self.normals @ matrix.T, self.faces, self.color)
+    def _turned(self, angle: float, axis: Triple, through: Triple) -> Mesh:
+        matrix = rotation_matrix(angle, axis, through)
+        positions = transform_points(self.positions, matrix)
+        return Mesh(positions, self.normals @ matrix[:3, :3].T, self.faces, self.color)
 
 
 def merged(meshes: Iterable[Mesh]) -> tuple[Floats, Floats, Floats, Ints]:
     """Positions, normals, colors (vertices, 3) and faces of several meshes as one."""
     parts = tuple(meshes)
     counts = [len(part.positions) for part in parts]
-    starts = np.cumsum([0, *counts[:-1]])
-    return (
-        np.concatenate([part.positions for part in parts]),
-        np.concatenate([part.normals for part in parts]),
-        np.repeat([part.color for part in parts], counts, axis=0),
-        np.concatenate([part.faces + start for part, start in zip(parts, starts, strict=True)]),
-    )
+    positions, faces = append_faces([p.positions for p in parts], [p.faces for p in parts])
+    normals = np.concatenate([part.normals for part in parts])
+    colors = np.repeat([part.color for part in parts], counts, axis=0)
+    return np.asarray(positions, float), normals, colors, np.asarray(faces, np.int64)
 
 
 def smooth_normals(positions: Floats, faces: Ints) -> Floats:
     """Unit normals (vertices, 3): the mean of the faces around, weighted by their area."""
-    a, b, c = (positions[faces[:, corner]] for corner in range(3))
-    areas = np.repeat(np.cross(b - a, c - a), 3, axis=0)
-    normals = np.zeros_like(positions)
-    np.add.at(normals, faces.ravel(), areas)
-    return unit(normals)
+    normals: Floats = mean_vertex_normals(len(positions), faces, cross(positions[faces]))
+    return normals
 
 
-def unit(vectors: Floats) -> Floats:
-    """The vectors (…, 3) with length 1; one without a direction points up."""
-    lengths = np.linalg.norm(vectors, axis=-1, keepdims=True)
-    return np.where(lengths > 0, vectors / np.where(lengths > 0, lengths, 1.0), (0.0, 1.0, 0.0))
-
-
-def _turn(first: int, second: int, angle: float) -> Floats:
-    """The rotation that turns axis ``first`` towards axis ``second``: (3, 3)."""
-    matrix = np.eye(3)
-    matrix[[first, second], [first, second]] = cos(angle)
-    matrix[second, first] = sin(angle)
-    matrix[first, second] = -sin(angle)
-    return matrix
+def facing(positions: Floats, normals: Floats, faces: Ints) -> Ints:
+    """The faces, each turned so that it looks along the normal of its first corner."""
+    away = np.einsum("ij,ij->i", cross(positions[faces]), normals[faces[:, 0]]) < 0
+    return np.where(away[:, None], faces[:, ::-1], faces)

@@ -7,12 +7,15 @@ and has soft edges, because a bright edge is what makes a thing look real.
 from __future__ import annotations
 
 from functools import lru_cache
-from itertools import pairwise, product
+from itertools import product
 from math import pi
 
 import numpy as np
+from trimesh import transform_points, unitize
+from trimesh.creation import revolve
+from trimesh.geometry import align_vectors
 
-from server.furniture.mesh import Floats, Ints, Mesh, smooth_normals, unit
+from server.furniture.mesh import Floats, Ints, Mesh, facing, smooth_normals
 
 Span = tuple[float, float]
 Spot = tuple[float, float, float]
@@ -58,18 +61,16 @@ def lathe(
     steps = np.diff(points, axis=0)
     across = np.stack([steps[:, 1], -steps[:, 0]], axis=1)
     across /= np.maximum(np.linalg.norm(across, axis=1, keepdims=True), 1e-12)
-    turn = np.arange(sides) * (2 * pi / sides)
-    circle = np.stack([np.sin(turn), np.cos(turn)], axis=1)
-    positions, normals = [], []
-    for step in range(len(steps)):
-        for end in (step, step + 1):
-            outward = _edge_normal(across, step, end)
-            positions.append(_ring(circle, points[end, 0], points[end, 1], squash))
-            normals.append(_ring(circle * (1, 1 / squash), outward[0], outward[1], 1.0))
-    faces = _strip_faces(len(steps), sides)
-    return Mesh(
-        np.concatenate(positions) + np.array([x, 0.0, z]), unit(np.concatenate(normals)), faces
+    outward = np.array(
+        [_edge_normal(across, step, end) for step in range(len(steps)) for end in (step, step + 1)]
     )
+    ends = np.repeat(points, 2, axis=0)[1:-1]  # of every step its own, so that edges stay sharp
+    turned = revolve(ends, sections=sides, process=False)  # has z up
+    turn = np.repeat(np.arange(sides) * (2 * pi / sides), len(ends))
+    out, up = np.tile(outward, (sides, 1)).T
+    normals = np.stack([np.sin(turn) * out, up, np.cos(turn) * out / squash], axis=1)
+    positions = np.asarray(turned.vertices)[:, [1, 2, 0]] * (1, 1, squash) + (x, 0, z)
+    return Mesh(positions, unitize(normals), np.asarray(turned.faces))
 
 
 def tube(start: Spot, end: Spot, radius: float, end_radius: float, sides: int = 8) -> Mesh:
@@ -77,8 +78,9 @@ def tube(start: Spot, end: Spot, radius: float, end_radius: float, sides: int = 
     along = np.subtract(end, start)
     length = float(np.linalg.norm(along))
     bar = lathe([(0, 0), (radius, 0), (end_radius, length), (0, length)], sides=sides)
-    axes = _frame(along / max(length, 1e-12))
-    return Mesh(bar.positions @ axes + start, unit(bar.normals @ axes), bar.faces)
+    matrix = align_vectors((0, 1, 0), along)
+    positions = transform_points(bar.positions, matrix) + start
+    return Mesh(positions, bar.normals @ matrix[:3, :3].T, bar.faces)
 
 
 def leaf(base: Spot, tip: Spot, width: float, droop: float) -> Mesh:
@@ -86,7 +88,7 @@ def leaf(base: Spot, tip: Spot, width: float, droop: float) -> Mesh:
     steps = np.linspace(0.0, 1.0, 5)
     spine = np.outer(1 - steps, base) + np.outer(steps, tip)
     spine[:, 1] += droop * 4 * steps * (1 - steps)
-    across = unit(np.cross((0.0, 1.0, 0.0), np.subtract(tip, base)))
+    across = unitize(np.cross((0.0, 1.0, 0.0), np.subtract(tip, base)))
     if abs(tip[0] - base[0]) + abs(tip[2] - base[2]) < 1e-9:  # noqa: PLR2004 (it stands upright)
         across = np.array([1.0, 0.0, 0.0])
     widths = width / 2 * np.array([0.25, 0.85, 1.0, 0.7, 0.06])
@@ -120,34 +122,13 @@ def _block_template() -> tuple[Floats, Floats, Floats, Ints]:
         for corner in product((-1, 1), repeat=3)
     ]
     shape = signs * (1 - 0.2 * insets)
-    return signs, insets, signs * (1 - insets), _outward(shape, np.array(triangles))
+    return signs, insets, signs * (1 - insets), facing(shape, shape, np.array(triangles))
 
 
 def _signs(axis: int, own: int, first: int, second: int) -> tuple[int, ...]:
     """Signs with ``own`` on the axis and the two others in order on the rest."""
     rest = iter((first, second))
     return tuple(own if other == axis else next(rest) for other in range(3))
-
-
-def _outward(positions: Floats, faces: Ints) -> Ints:
-    """The faces of a convex shape round the origin, each turned to look away from it."""
-    a, b, c = (positions[faces[:, corner]] for corner in range(3))
-    inward = np.einsum("ij,ij->i", np.cross(b - a, c - a), a + b + c) < 0
-    return np.where(inward[:, None], faces[:, ::-1], faces)
-
-
-@lru_cache
-def _strip_faces(steps: int, sides: int) -> Ints:
-    """Faces of ``steps`` separate strips of two rings each."""
-    strip = [
-        face
-        for corner, following in pairwise([*range(sides), 0])
-        for face in (
-            (corner, following, following + sides),
-            (corner, following + sides, corner + sides),
-        )
-    ]
-    return np.concatenate([np.array(strip) + 2 * sides * step for step in range(steps)])
 
 
 @lru_cache
@@ -169,17 +150,3 @@ def _edge_normal(across: Floats, step: int, end: int) -> Floats:
     if 0 <= neighbor < len(across) and float(own @ across[neighbor]) > SMOOTH:
         own = own + across[neighbor]
     return own
-
-
-def _ring(circle: Floats, radius: float, height: float, squash: float) -> Floats:
-    return np.stack(
-        [circle[:, 0] * radius, np.full(len(circle), height), circle[:, 1] * radius * squash],
-        axis=1,
-    )
-
-
-def _frame(along: Floats) -> Floats:
-    """A right-handed frame whose second axis is ``along``: rows are the axes, (3, 3)."""
-    helper = np.array([1.0, 0.0, 0.0] if abs(along[0]) < 0.9 else [0.0, 0.0, 1.0])  # noqa: PLR2004
-    third = unit(np.cross(helper, along))
-    return np.stack([np.cross(along, third), along, third])
