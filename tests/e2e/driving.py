@@ -70,6 +70,19 @@ class Desk:
         """A button by its name."""
         return self.page.get_by_role("button", name=name)
 
+    def middle_of_the_view(self) -> tuple[float, float]:
+        """The middle of what the panels leave free of the window, CSS pixels."""
+        left, right, top, bottom = (
+            self._inset(side) for side in ("left", "right", "top", "bottom")
+        )
+        width, height = SMALL_DESK["width"], SMALL_DESK["height"]
+        return (left + width - right) / 2, (top + height - bottom) / 2
+
+    def _inset(self, side: str) -> float:
+        style = "getComputedStyle(document.documentElement)"
+        inset: float = self.page.evaluate(f"parseFloat({style}.getPropertyValue('--inset-{side}'))")
+        return inset
+
     # --- what is kept and sent --------------------------------------------------------------------
 
     def saved(self) -> Record:

@@ -101,6 +101,30 @@ def test_boxes_drawn_by_pointer_stand_and_furniture_goes_round_them(desk: Desk) 
     take_picture(desk.page, "own-room-furnished")
 
 
+def test_by_hand_a_thing_is_dragged_to_its_place(desk: Desk) -> None:
+    draw_with_pointer(desk)
+    desk.choose_mode("Manual")
+    desk.choose("Chair")
+    desk.verdict()
+    before = (desk.last_sent("inspect") or {})["center"]
+    x, y = desk.middle_of_the_view()
+    mouse = desk.page.mouse
+    mouse.move(x, y)
+    mouse.down()
+    mouse.move(x + 60, y + 10, steps=6)
+    mouse.up()
+    after = desk.wait_for(
+        lambda: (desk.last_sent("inspect") or {})["center"],
+        lambda at: bool(at[0] > before[0] + 0.2),
+    )
+    assert desk.verdict()["allowed"]
+    desk.page.keyboard.press("Enter")
+    chair = desk.wait_for_saved(lambda scene: len(scene["boxes"]) == 1)["boxes"][0]
+    assert chair["center"] == pytest.approx(after, abs=1e-6)
+    desk.page.keyboard.press("Control+z")
+    desk.wait_for_saved(lambda scene: not scene["boxes"])
+
+
 def test_the_map_leaves_as_a_picture_and_the_room_as_a_model(desk: Desk, tmp_path: Path) -> None:
     desk.open_room("Bedroom")
     desk.choose_mode("SceneGen")

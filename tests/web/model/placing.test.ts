@@ -220,6 +220,15 @@ describe("Manual", () => {
     expect(play(hung, dragTo(2.5, 2)).placing?.pose?.center[2]).toBeCloseTo(0.35, 12);
   });
 
+  test("a picture that was pulled off its wall hangs again on the next one", () => {
+    const picture = place({ mode: "manual", category: "Picture", size: [0.04, 0.8, 0.6] });
+    const off = play(begin(), picture, dragTo(2.5, 2));
+    expect(refusalOf(off)).toMatch(/^It has to hang on a wall/);
+    const back = play(off, { type: "nudge", by: [-2.48, 0] });
+    expect(back.placing?.pose?.center).toEqual([0.02, 2, 1.5]);
+    expect(refusalOf(back)).toBeNull();
+  });
+
   test("a lamp stands on the table that it is put over, and comes down beside it", () => {
     const table = box("table", { center: [2.5, 2, 0.4], size: [0.8, 1.2, 0.8] });
     const lamp = place({
