@@ -68,10 +68,11 @@ describe("what was placed last", () => {
 });
 
 describe("the sheet of the phone", () => {
-  test("opens half for placing and makes way afterwards", () => {
+  test("stays low for placing, so that the room is seen, and makes way afterwards", () => {
     const desk = sitDown(begin());
     placeSofa(desk);
-    expect(desk.local.sheet).toBe("half");
+    expect(desk.local.sheet).toBe("peek");
+    desk.page.change({ sheet: "half" });
     desk.act({ type: "confirm" });
     expect(desk.local.sheet).toBe("peek");
   });

@@ -91,8 +91,19 @@ describe("the reasons", () => {
   });
   const words = wordsOf(reasonsPanel(sitDown(state).page));
 
-  test("come strongest first, for or against, with sign", () => {
-    expect(words).toMatch(/against Facing · TV −2\.00 for Facing · TV \+1\.00 weak/);
+  const inNumbers = (): string => {
+    const desk = sitDown(state);
+    desk.page.change({ numbers: true });
+    return wordsOf(reasonsPanel(desk.page));
+  };
+
+  test("come strongest first, in words, for or against", () => {
+    expect(words).toMatch(/against Facing · TV strongly against for Facing · TV for weak/);
+    expect(words).not.toMatch(/[+−]\d/);
+  });
+
+  test("come with their numbers on demand", () => {
+    expect(inNumbers()).toMatch(/against Facing · TV −2\.00 for Facing · TV \+1\.00 weak/);
   });
 
   test("hide the weakest behind a click that says how many there are", () => {
@@ -100,7 +111,7 @@ describe("the reasons", () => {
   });
 
   test("give the total and the rooms that speak for it", () => {
-    expect(words).toContain("All together, against an average spot −0.94");
+    expect(inNumbers()).toContain("All together, against an average spot −0.94");
     expect(words).toContain("2 known rooms that speak for it Flat 3 Flat 7");
   });
 

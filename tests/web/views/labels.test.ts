@@ -20,6 +20,12 @@ describe("labels on the screen", () => {
     expect(shown([label(0, 0), label(50, 0), label(100, 0)])).toEqual([true, false, true]);
   });
 
+  it("give way to what is there already", () => {
+    const names = [label(0, 0), label(100, 0)];
+    hideOverlaps(names, [label(110, 5)]);
+    expect(names.map((one) => one.shown)).toEqual([true, false]);
+  });
+
   it("come back once there is room again", () => {
     const labels = [label(0, 0), label(30, 0)];
     hideOverlaps(labels);

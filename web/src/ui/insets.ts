@@ -43,7 +43,7 @@ function insetsOf(element: HTMLElement): readonly number[] {
     element.querySelector(name)?.getBoundingClientRect();
   const [panel, card] = [box(".panel"), box(".card")];
   const phone = window.matchMedia(PHONE).matches;
-  const floor = (phone ? panel : box(".cameras"))?.top ?? window.innerHeight;
+  const floor = box(".cameras")?.top || panel?.top || window.innerHeight;
   const bottom = window.innerHeight - Math.min(floor, card?.top ?? floor);
   const top = box(".bar")?.bottom ?? 0;
   if (phone) return [0, 0, top, bottom].map(Math.round);

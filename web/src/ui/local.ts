@@ -14,7 +14,7 @@ export function follow(local: Local, before: State, after: State): Local {
     placed: placed ?? (forgotten ? null : local.placed),
     crosshair: after.tool === before.tool ? local.crosshair : null,
     mode: after.placing?.mode ?? local.mode,
-    sheet: guide === "placing" ? local.sheet : sheetAfter(local.sheet, before, after),
+    sheet: sheetAfter(local.sheet, before, after),
   };
 }
 
@@ -41,6 +41,7 @@ function guideAfter(guide: Guide, before: State, after: State, placed: boolean):
         : "invite";
     case "placing":
       if (placed) return "doors";
+      if (after.placing?.mode === "manual") return "done";
       return before.placing !== null && after.placing === null ? "done" : "placing";
     case "doors":
     case "phone":
@@ -50,10 +51,10 @@ function guideAfter(guide: Guide, before: State, after: State, placed: boolean):
   }
 }
 
-/** Placing and drawing need to be seen in the panel, and the room needs to be seen beside it. */
+/** The room needs to be seen beside the panel when something begins in it. */
 function sheetAfter(sheet: SheetHeight, before: State, after: State): SheetHeight {
   const began = before.placing === null && after.placing !== null;
   const ended = before.placing !== null && after.placing === null;
-  if (began || (before.tool !== after.tool && sheet === "full")) return "half";
+  if ((began || before.tool !== after.tool) && sheet === "full") return "half";
   return ended ? "peek" : sheet;
 }

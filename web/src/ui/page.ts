@@ -20,6 +20,8 @@ export interface LastPlaced {
 /** What the panels know beyond the state. */
 export interface Local {
   readonly sheet: SheetHeight;
+  /** Whether reasons show their numbers. */
+  readonly numbers: boolean;
   /** How the next object is placed. */
   readonly mode: Mode;
   readonly guide: Guide;
@@ -32,6 +34,7 @@ export interface Local {
 
 export const INITIAL_LOCAL: Local = {
   sheet: "peek",
+  numbers: false,
   mode: "scenegen",
   guide: "invite",
   placed: null,

@@ -150,9 +150,10 @@ function size({ state, dispatch }: Page, placing: Placing): TemplateResult {
 }
 
 /** The end of placing, always in reach below the panel. */
-export function decision({ state, dispatch }: Page): TemplateResult | typeof nothing {
+export function decision({ state, local, dispatch }: Page): TemplateResult | typeof nothing {
   const { placing } = state;
-  if (placing === null) return nothing;
+  // In the first minute the card asks; two ways to say the same would be one too many.
+  if (placing === null || local.guide === "placing") return nothing;
   const refusal = shownRefusal(state);
   return html`<div class="decision">
     ${refusal === null ? nothing : html`<p class="blocked">${icon("problem")} ${refusal}</p>`}

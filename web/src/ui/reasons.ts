@@ -4,7 +4,7 @@ import type { Placing } from "../model/state";
 import type { Reason } from "../net/protocol.gen";
 import { section } from "./controls";
 import type { Page } from "./page";
-import { counted, ended, likelihoodInWords, reasonInWords, signed } from "./words";
+import { counted, ended, likelihoodInWords, reasonInWords, signed, strengthInWords } from "./words";
 
 /** Bars shown at once; the rest waits behind a click. */
 const SHOWN = 4;
@@ -18,8 +18,9 @@ interface Verdict {
   readonly rooms: readonly string[];
 }
 
-export function reasonsPanel({ state }: Page): TemplateResult | typeof nothing {
-  const verdict = state.placing === null ? null : verdictOf(state.placing);
+export function reasonsPanel(page: Page): TemplateResult | typeof nothing {
+  const { placing } = page.state;
+  const verdict = placing === null ? null : verdictOf(placing);
   if (verdict === null) return nothing;
   return section(
     "Why here",
@@ -28,7 +29,7 @@ export function reasonsPanel({ state }: Page): TemplateResult | typeof nothing {
         ${ended(verdict.sentence)}
         ${verdict.likelihood === null ? nothing : html`<small>A ${likelihoodInWords(verdict.likelihood)} place.</small>`}
       </p>
-      ${bars(verdict.reasons)} ${total(verdict)} ${rooms(verdict.rooms)}
+      ${bars(page, verdict.reasons)} ${total(page, verdict)} ${rooms(verdict.rooms)}
     `,
     "reasons",
   );
@@ -47,15 +48,14 @@ export function byStrength(reasons: readonly Reason[]): readonly Reason[] {
   return reasons.toSorted((a, b) => Math.abs(b.contribution) - Math.abs(a.contribution));
 }
 
-function bars(reasons: readonly Reason[]): TemplateResult | typeof nothing {
+function bars({ local }: Page, reasons: readonly Reason[]): TemplateResult | typeof nothing {
   if (reasons.length === 0) return nothing;
   const sorted = byStrength(reasons);
   const longest = Math.abs(sorted[0]?.contribution ?? 0) || 1;
   const list = (some: readonly Reason[]): TemplateResult =>
-    html`<ul class="bars">${some.map((reason) => bar(reason, longest))}</ul>`;
+    html`<ul class="bars">${some.map((reason) => bar(reason, longest, local.numbers))}</ul>`;
   const rest = sorted.slice(SHOWN);
   return html`
-    <p class="ends" aria-hidden="true"><span>against</span><span>for</span></p>
     ${list(sorted.slice(0, SHOWN))}
     ${
       rest.length === 0
@@ -68,31 +68,45 @@ function bars(reasons: readonly Reason[]): TemplateResult | typeof nothing {
   `;
 }
 
-function bar(reason: Reason, longest: number): TemplateResult {
-  const { contribution } = reason;
-  const length = (Math.abs(contribution) / longest) * 50;
-  const start = contribution < 0 ? 50 - length : 50;
+function bar(reason: Reason, longest: number, numbers: boolean): TemplateResult {
+  const share = reason.contribution / longest;
+  const length = Math.abs(share) * 50;
   return html`<li>
     <span class="words">${reason.text}<small>${reasonInWords(reason)}</small></span>
-    <svg class="measure" viewBox="0 0 100 8" preserveAspectRatio="none" aria-hidden="true">
-      <path class="axis" d="M50 0v8" />
-      <rect
-        class=${contribution < 0 ? "against" : "for"}
-        x=${start}
-        y="1"
-        width=${Math.max(length, 0.5)}
-        height="6"
-      />
-    </svg>
-    <span class="number">${signed(contribution)}</span>
+    <span>
+      <svg class="measure" viewBox="0 0 100 8" preserveAspectRatio="none" aria-hidden="true">
+        <path class="axis" d="M50 0v8" />
+        <rect
+          class=${share < 0 ? "against" : "for"}
+          x=${share < 0 ? 50 - length : 50}
+          y="1"
+          width=${Math.max(length, 0.5)}
+          height="6"
+        />
+      </svg>
+      <small class="number">${numbers ? signed(reason.contribution) : strengthInWords(share)}</small>
+    </span>
   </li>`;
 }
 
-function total({ score }: Verdict): TemplateResult | typeof nothing {
-  if (score === null) return nothing;
-  return html`<p class="total">
-    <span>All together, against an average spot</span><span class="number">${signed(score)}</span>
-  </p>`;
+/** The numbers behind the bars, on demand: they are logarithms, and mean little to most people. */
+function total({ local, change }: Page, { score }: Verdict): TemplateResult {
+  return html`<label class="check"
+      ><input
+        type="checkbox"
+        .checked=${local.numbers}
+        @change=${() => change({ numbers: !local.numbers })}
+      /><span>Numbers</span></label
+    >
+    ${
+      !local.numbers || score === null
+        ? nothing
+        : html`<p class="total">
+              <span>All together, against an average spot</span
+              ><span class="number">${signed(score)}</span>
+            </p>
+            <p class="quiet"><small>As logarithms: 0.69 more is twice as likely.</small></p>`
+    }`;
 }
 
 function rooms(names: readonly string[]): TemplateResult | typeof nothing {

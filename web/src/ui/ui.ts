@@ -19,8 +19,9 @@ import { reasonsPanel } from "./reasons";
 import { selectionPanel } from "./selection";
 import { sheetHandle } from "./sheet";
 import { nextStep, situation, toast } from "./situation";
+import { stepper } from "./stepper";
 import { cameras, tools } from "./tools";
-import { welcome } from "./welcome";
+import { isGuided, welcome } from "./welcome";
 
 /** What is said waits until nothing newer has come for this long, milliseconds. */
 const CALM = 250;
@@ -85,11 +86,13 @@ export function panels(page: Page): TemplateResult {
       ${objectList(page)} ${toast(page)} ${cameras(page)} ${layers(page)}
       <div class="lower">${situation(page)} ${nextStep(page)} ${welcome(page)}</div>
     </section>
-    <aside class="panel" aria-label="Panel" tabindex="-1" data-sheet=${local.sheet}>
+    <aside class="panel" aria-label="Panel" tabindex="-1" data-sheet=${local.sheet}
+      data-guided=${isGuided(page)}>
       ${sheetHandle(page)}
       <div class="parts" data-placed=${local.placed !== null}>
         ${drawing ? drawingPanel(page) : nothing}
         ${drawing || placing ? nothing : selectionPanel(page)}
+        ${state.placing === null ? nothing : stepper(page, state.placing)}
         ${drawing ? nothing : placePanel(page)} ${reasonsPanel(page)} ${layersPanel(page)}
       </div>
       ${decision(page)}

@@ -7,6 +7,11 @@ import { start } from "./place";
 import { verdictOf } from "./reasons";
 import { ended } from "./words";
 
+/** Whether the card of the first minute is there. */
+export function isGuided({ state, local }: Page): boolean {
+  return local.guide === "invite" ? state.scene.boxes.length > 0 : local.guide !== "done";
+}
+
 export function welcome(page: Page): TemplateResult | typeof nothing {
   switch (page.local.guide) {
     case "invite":
@@ -60,7 +65,7 @@ function settling(page: Page): TemplateResult {
             ? nothing
             : button({
                 icon: "again",
-                label: "Show another place",
+                label: "Another place",
                 run: () => page.dispatch({ type: "show-alternative", rank: next.rank }),
               })
         }
@@ -89,27 +94,28 @@ function doors(page: Page): TemplateResult {
             page.dispatch({ type: "new-room" });
           },
         })}
-        ${toolButton({
-          icon: "phone",
-          label: "Use your phone",
-          pressed: page.local.guide === "phone",
-          run: () => page.change({ guide: page.local.guide === "phone" ? "doors" : "phone" }),
-        })}
+        ${reachable(page) ? phoneDoor(page) : nothing}
       </div>
       ${page.local.guide === "phone" ? phone(page) : nothing}`,
   );
 }
 
-/** What it takes to open the page on a phone; a page on this machine alone cannot be reached. */
+/** Whether another machine can open this page: not one that is served for this computer alone. */
+function reachable({ services }: Page): boolean {
+  return !/^https?:\/\/(localhost|127\.|\[::1\])/.test(services.shareUrl());
+}
+
+function phoneDoor({ local, change }: Page): TemplateResult {
+  return toolButton({
+    icon: "phone",
+    label: "Use your phone",
+    pressed: local.guide === "phone",
+    run: () => change({ guide: local.guide === "phone" ? "doors" : "phone" }),
+  });
+}
+
 function phone({ services }: Page): TemplateResult {
   const url = services.shareUrl();
-  const alone = /^https?:\/\/(localhost|127\.|\[::1\])/.test(url);
-  if (alone) {
-    return html`<p class="quiet">
-      This page runs for this computer alone. Start the server for your network
-      (<code>scenegen --lan</code>); it then shows a code for the phone's camera.
-    </p>`;
-  }
   return html`<p class="quiet">Open this on the phone: <a href=${url}>${url}</a></p>`;
 }
 

@@ -51,6 +51,14 @@ export function likelihoodInWords(likelihood: number): string {
   return "unlikely";
 }
 
+/** How much one reason says, −1 to 1 beside the strongest: "strongly for". */
+export function strengthInWords(share: number): string {
+  const size = Math.abs(share);
+  const side = share < 0 ? "against" : "for";
+  if (size >= 0.6) return `strongly ${side}`;
+  return size >= 0.2 ? side : `a little ${side}`;
+}
+
 /** "+1.24", "−0.31", "+111": three digits, and a true minus sign. */
 export function signed(value: number): string {
   const size = Math.abs(value);

@@ -1,23 +1,31 @@
 import { Group } from "three";
 import type { Placing, State } from "../model/state";
-import type { Placement } from "../net/protocol.gen";
+import type { BoxRecord, Placement } from "../net/protocol.gen";
 import { BoxLines } from "./box_lines";
 import { hangs } from "./hanging";
+import { NumberLabels } from "./number_labels";
 import { ACCENT, type Look } from "./palette";
 import type { Eye, Part } from "./part";
-import { TextSprite } from "./text_sprite";
 
 const ABOVE = 0.01; // metres over what the places stand on
 const FLAT = 0.001; // metres; only the footprint is drawn
+const CALM = { color: ACCENT, width: 1.25, dashed: false, fill: 0, opacity: 0.6 } as const;
 
-/** The other places on offer: faint footprints with their numbers, to be clicked. */
+/** The places on offer: thin footprints with their numbers, to be clicked. */
 export class AlternativesView implements Part {
   readonly root = new Group();
+  readonly #numbers = new NumberLabels();
   #look: Look;
-  #places: { readonly lines: BoxLines; readonly number: TextSprite }[] = [];
+  #footprints: BoxLines[] = [];
 
   constructor(look: Look) {
     this.#look = look;
+    this.root.add(this.#numbers.root);
+  }
+
+  /** Where the numbers are on the screen; always the same list. */
+  get numbers() {
+    return this.#numbers.labels;
   }
 
   relight(look: Look): void {
@@ -27,70 +35,43 @@ export class AlternativesView implements Part {
   show(state: State): void {
     const { placing } = state;
     const placements = placing?.mode === "scenegen" ? (placing.answer?.placements ?? []) : [];
-    while (this.#places.length < placements.length) {
-      this.#add();
+    while (this.#footprints.length < placements.length) {
+      const lines = new BoxLines();
+      this.#footprints.push(lines);
+      this.root.add(lines.root);
     }
-    this.#places.forEach(({ lines, number }, i) => {
+    this.#footprints.forEach((lines, i) => {
       const placement = placements[i];
       if (!placement || !placing || placement.rank === placing.alternative) {
         lines.hide();
-        number.visible = false;
       } else {
-        this.#showPlace(lines, number, placement, placing);
+        lines.show(footprintOf(placement, placing), CALM);
       }
     });
+    this.#numbers.show(placing ? placements : [], placing, this.#look);
   }
 
   update(eye: Eye): boolean {
-    for (const { number } of this.#places) {
-      number.fit(eye);
-    }
+    this.#numbers.update(eye);
     return false;
   }
 
   dispose(): void {
-    for (const { lines, number } of this.#places) {
+    for (const lines of this.#footprints) {
       lines.dispose();
-      number.dispose();
     }
-    this.#places = [];
+    this.#numbers.dispose();
+    this.#footprints = [];
   }
+}
 
-  #add(): void {
-    const place = { lines: new BoxLines(), number: new TextSprite() };
-    this.#places.push(place);
-    this.root.add(place.lines.root, place.number);
+/** What is drawn of a place: where it would stand, or all of it on a wall. */
+function footprintOf({ center, heading }: Placement, { category, size }: Placing): BoxRecord {
+  const whole: BoxRecord = { id: "", category, heading, center, size };
+  if (hangs(whole)) {
+    return whole;
   }
-
-  #showPlace(
-    lines: BoxLines,
-    number: TextSprite,
-    placement: Placement,
-    { category, size }: Placing,
-  ): void {
-    const { center, heading, rank } = placement;
-    const bottom = center[2] - size[2] / 2;
-    const onWall = hangs({ id: "", category, center, size });
-    const [depth, width, height] = size;
-    lines.show(
-      onWall
-        ? { id: "", category, heading, center, size }
-        : {
-            id: "",
-            category,
-            heading,
-            center: [center[0], center[1], bottom + ABOVE],
-            size: [depth, width, FLAT],
-          },
-      { color: ACCENT, width: 1.6, dashed: false, fill: onWall ? 0 : 0.1 },
-    );
-    number.position.set(center[0], center[1], onWall ? center[2] : bottom + Math.min(0.25, height));
-    number.write(String(rank), {
-      size: 15,
-      bold: true,
-      color: this.#look.labelText,
-      background: this.#look.label,
-      border: ACCENT,
-    });
-  }
+  const [depth, width, height] = size;
+  const bottom = center[2] - height / 2;
+  return { ...whole, center: [center[0], center[1], bottom + ABOVE], size: [depth, width, FLAT] };
 }

@@ -16,6 +16,8 @@ export interface LineLook {
   readonly dashed: boolean;
   /** How much the footprint on the floor is filled, 0 to 1. */
   readonly fill: number;
+  /** Of the lines; whole without. */
+  readonly opacity?: number;
 }
 
 /** The edges of a box, and its footprint. */
@@ -44,6 +46,7 @@ export class BoxLines {
     this.root.rotation.z = headingOf(box);
     this.#material.color.set(look.color);
     this.#material.linewidth = look.width;
+    this.#material.opacity = look.opacity ?? 1;
     this.#material.dashed = look.dashed;
     this.#footprint.material.color.set(look.color);
     this.#footprint.material.opacity = look.fill;

@@ -114,8 +114,11 @@ export class Cameras {
     this.#swung = 0;
     this.#phase = 0;
     const { aspect } = this.#orbitCamera;
+    // From the window's shape: a panel that opens must not turn the room round.
+    const { clientWidth, clientHeight } = this.#element;
+    const direction = viewDirection(room, clientWidth / Math.max(1, clientHeight));
     const fov = (FOV * Math.PI) / 180;
-    const { position, target } = frameRoom(room, viewDirection(room, aspect), fov, aspect);
+    const { position, target } = frameRoom(room, direction, fov, aspect);
     this.#orbitCamera.position.set(...toPage(position));
     this.#orbit.target.set(...toPage(target));
     this.#orbit.maxDistance = 3 * this.#orbitCamera.position.distanceTo(this.#orbit.target);

@@ -17,11 +17,24 @@ function byte(value: number): number {
   return Math.max(0, Math.min(255, Math.round(value)));
 }
 
-/** The colormap as a look-up texture, from unlikely to likely. */
-export function cividisTexture(): DataTexture {
+const LIKELY = cividis(1);
+/** The blue that cividis begins with, lightened: navy on a floor looks like a shadow. */
+const UNLIKELY = [88, 160, 255] as const;
+
+/**
+ * The colors of the map, from light blue to yellow. Straight between the two: the grays in the
+ * middle of cividis look like stains on wood.
+ */
+export function heatColor(t: number): readonly [number, number, number] {
+  const mixed = (side: 0 | 1 | 2) => byte(UNLIKELY[side] + (LIKELY[side] - UNLIKELY[side]) * t);
+  return [mixed(0), mixed(1), mixed(2)];
+}
+
+/** The colors of the map as a look-up texture. */
+export function heatTexture(): DataTexture {
   const data = new Uint8Array(STEPS * 4);
   for (let i = 0; i < STEPS; i++) {
-    data.set([...cividis(i / (STEPS - 1)), 255], i * 4);
+    data.set([...heatColor(i / (STEPS - 1)), 255], i * 4);
   }
   const texture = new DataTexture(data, STEPS, 1);
   texture.colorSpace = SRGBColorSpace;

@@ -37,7 +37,7 @@ export interface Viewpoint {
 /** The sine of the angle to a wall below which there is nothing to see on it. */
 export const SIDEWAYS = 0.3;
 
-const AIR = 1.06; // how much more than the room is in view
+const AIR = 1.1; // how much more than the room is in view
 
 /** Where the camera looks from: steeper and along the room when the picture is upright. */
 export function viewDirection(room: RoomRecord, aspect: number): Vector3 {

@@ -12,7 +12,8 @@ import type { Eye, Part } from "./part";
 import { SolidModel } from "./solid_model";
 import type { Solids } from "./solids";
 
-const OPACITY = 0.72;
+const OPACITY = 0.62;
+const OVER_MAP = 3; // render order; the map shows through the ghost
 const ARROW_GAP = 0.06; // metres before the front
 const ABOVE_FLOOR = 0.012;
 
@@ -50,7 +51,7 @@ export class GhostView implements Part {
     const color = shownRefusal(state) === null ? ACCENT : FORBIDDEN;
     this.#arrow.material.color.set(color);
     if (this.#box) {
-      this.#lines.show(this.#box, { color, width: 1.8, dashed: false, fill: 0.2 });
+      this.#lines.show(this.#box, { color, width: 1.8, dashed: false, fill: 0.06 });
       this.#model?.show(this.#box, placing.asset ? this.#solids.get(placing.asset) : null);
       this.#shadow.show([this.#box]);
       this.#arrow.visible = !hangs(this.#box);
@@ -79,7 +80,7 @@ export class GhostView implements Part {
   #renew(placing: Placing): void {
     this.#model?.dispose();
     this.#category = placing.category;
-    this.#model = new SolidModel((material) => this.#translucentOf(material));
+    this.#model = new SolidModel((material) => this.#translucentOf(material), OVER_MAP);
     this.root.add(this.#model.root);
   }
 

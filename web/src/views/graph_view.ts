@@ -1,4 +1,4 @@
-import { Group } from "three";
+import { Color, Group } from "three";
 import { relationLook } from "../model/relation_looks";
 import type { State, Vector3 } from "../model/state";
 import type { Graph, GraphEdge, GraphNode } from "../net/protocol.gen";
@@ -12,6 +12,7 @@ import { TextSprite } from "./text_sprite";
 const CROWD = 18; // whole lines; more of them are drawn the fainter
 const FAINTEST = 0.16; // opacity
 const MAX_NOTES = 14;
+const WHITE = new Color("#ffffff");
 
 /** The scene graph over the room; one node's own relations when it is selected or hovered. */
 export class GraphView implements Part {
@@ -33,6 +34,7 @@ export class GraphView implements Part {
   relight(look: Look): void {
     this.#look = look;
     this.#drawn = [];
+    this.#clearStrokes();
   }
 
   show(state: State): void {
@@ -70,8 +72,15 @@ export class GraphView implements Part {
   }
 
   dispose(): void {
-    for (const part of [...this.#strokes.values(), ...this.#nodes, this.#notes]) {
+    this.#clearStrokes();
+    for (const part of [...this.#nodes, this.#notes]) {
       part.dispose();
+    }
+  }
+
+  #clearStrokes(): void {
+    for (const strokes of this.#strokes.values()) {
+      strokes.dispose();
     }
     this.#strokes.clear();
   }
@@ -104,7 +113,12 @@ export class GraphView implements Part {
   #stroke(byRelation: ReadonlyMap<string, Vector3[]>, opacity: number): void {
     for (const relation of byRelation.keys()) {
       if (!this.#strokes.has(relation)) {
-        const strokes = new Strokes({ ...relationLook(relation), width: 2 });
+        const { color, dash } = relationLook(relation);
+        const strokes = new Strokes({
+          color: lighter(color, this.#look),
+          width: 2,
+          ...(dash && { dash }),
+        });
         this.#strokes.set(relation, strokes);
         this.root.add(strokes.root);
       }
@@ -135,6 +149,10 @@ export class GraphView implements Part {
       }
     });
   }
+}
+
+function lighter(color: string, { lighterLines }: Look): string {
+  return `#${new Color(color).lerp(WHITE, lighterLines).getHexString()}`;
 }
 
 function isBox(id: string): (node: GraphNode) => boolean {

@@ -13,9 +13,13 @@ const VERTEX = /* glsl */ `
 /**
  * Values are blended only among cells where one can stand, so that the forbidden ones do not
  * darken their neighbors; the edge between the two follows the line halfway and stays sharp.
- * What comes out is premultiplied by nothing: alpha rises with the value.
+ * Alpha rises with the value, so that the best spots are the brightest; a thin line runs where
+ * the allowed ground ends, and a pale one round the likely part of it.
  */
 const FRAGMENT = /* glsl */ `
+  const float FAINT = 0.3; // opacity where it can stand but hardly would
+  const float STRONG = 1.2; // the brightest part is whole
+  const float LIKELY = 0.6; // as in the words of the legend
   uniform sampler2D map;
   uniform sampler2D colors;
   uniform vec2 cells;
@@ -49,12 +53,19 @@ const FRAGMENT = /* glsl */ `
     if (allowed <= 0.0) discard;
     float value = (dot(weights * free, values) / max(coverage, 0.001) * 255.0 - 1.0) / 254.0;
     value = clamp(value, 0.0, 1.0);
-    float alpha = mix(0.5, 1.0, smoothstep(0.0, 0.75, value));
+    float alpha = mix(FAINT, STRONG, smoothstep(0.0, 0.85, value));
+    vec3 color = texture2D(colors, vec2(value * 0.996 + 0.002, 0.5)).rgb;
+    float rim = 1.0 - smoothstep(0.0, 1.6, (coverage - 0.5) / max(fwidth(coverage), 0.001));
+    alpha = max(alpha, rim * 0.55);
+    float line = abs(value - LIKELY) / max(fwidth(value), 0.0005);
+    float contour = (1.0 - smoothstep(0.6, 1.6, line)) * step(fwidth(value), 0.12);
+    color = mix(color, vec3(1.0), contour * 0.45);
+    alpha = max(alpha, contour * 0.6);
     float band = sin(dot(where, vec2(1.6, 1.1)) * 1.4 - clock * 3.2);
     alpha *= 1.0 - shimmer * 0.3 * (0.5 + 0.5 * band);
     float distance = length(where - source);
     alpha *= 1.0 - smoothstep(front - 0.6, front, distance);
-    gl_FragColor = vec4(texture2D(colors, vec2(value * 0.996 + 0.002, 0.5)).rgb, alpha * allowed * opacity);
+    gl_FragColor = vec4(color, min(1.0, alpha * opacity) * allowed);
     #include <colorspace_fragment>
   }`;
 

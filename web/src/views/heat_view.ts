@@ -13,7 +13,7 @@ import {
 import { shownMaps } from "../model/showing";
 import type { HeatMap, State } from "../model/state";
 import type { BoxRecord, RoomRecord } from "../net/protocol.gen";
-import { cividisTexture } from "./cividis";
+import { heatTexture } from "./cividis";
 import { brightest, type Patch, patchesOf } from "./heat_layout";
 import { HeatMaterial } from "./heat_material";
 import { approach, reducedMotion } from "./motion";
@@ -32,7 +32,7 @@ interface Sheet {
 /** The heat maps, on the floor, on the walls, or on top of the furniture. */
 export class HeatView implements Part {
   readonly root = new Group();
-  readonly #colors = cividisTexture();
+  readonly #colors = heatTexture();
   #sheets: Sheet[] = [];
   #maps: readonly HeatMap[] = [];
   #room: RoomRecord | null = null;

@@ -10,17 +10,22 @@ export interface LabelBox {
 
 const GAP = 3; // pixels between labels
 
-/** Shows the first label, and of the others each that covers none shown before it; in place. */
-export function hideOverlaps(labels: readonly LabelBox[]): void {
+const NONE: readonly LabelBox[] = [];
+
+/**
+ * Shows each label that covers none shown before it, nor one of `taken`; in place.
+ */
+export function hideOverlaps(labels: readonly LabelBox[], taken: readonly LabelBox[] = NONE): void {
   for (let i = 0; i < labels.length; i++) {
     const label = labels[i];
     if (label) {
-      label.shown = !coversOneBefore(label, labels, i);
+      label.shown = !coversOne(label, labels, i) && !coversOne(label, taken, taken.length);
     }
   }
 }
 
-function coversOneBefore(label: LabelBox, labels: readonly LabelBox[], count: number): boolean {
+/** Whether the label covers one that is shown, of the first `count`. */
+export function coversOne(label: LabelBox, labels: readonly LabelBox[], count: number): boolean {
   for (let i = 0; i < count; i++) {
     const other = labels[i];
     if (other?.shown && cover(label, other)) {

@@ -2,7 +2,7 @@ import { Group } from "three";
 import { topOf } from "../model/footprints";
 import type { State } from "../model/state";
 import type { BoxRecord } from "../net/protocol.gen";
-import { hideOverlaps } from "./label_layout";
+import { hideOverlaps, type LabelBox } from "./label_layout";
 import { categoryColor, type Look } from "./palette";
 import type { Eye, Part } from "./part";
 import { layOut, type SpriteLabel, spriteLabel } from "./sprite_labels";
@@ -13,14 +13,17 @@ const ABOVE = 0.12; // metres over the top
 export class LabelsView implements Part {
   readonly root = new Group();
   readonly #labels = new Map<string, SpriteLabel>();
+  readonly #taken: readonly LabelBox[];
   #order: SpriteLabel[] = [];
   #look: Look;
   #boxes: readonly BoxRecord[] | null = null;
   #selected: string | null = null;
   #on = false;
 
-  constructor(look: Look) {
+  /** `taken` is where other texts are, which names make way for. */
+  constructor(look: Look, taken: readonly LabelBox[]) {
     this.#look = look;
+    this.#taken = taken;
   }
 
   relight(look: Look): void {
@@ -49,7 +52,7 @@ export class LabelsView implements Part {
     for (const label of this.#order) {
       layOut(label, eye);
     }
-    hideOverlaps(this.#order);
+    hideOverlaps(this.#order, this.#taken);
     for (const label of this.#order) {
       label.sprite.visible = label.shown;
     }

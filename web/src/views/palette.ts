@@ -38,6 +38,8 @@ export interface Look {
   readonly floorTint: string;
   readonly label: string;
   readonly labelText: string;
+  /** How much lighter the lines of relations are, 0 to 1, to be seen before the walls. */
+  readonly lighterLines: number;
 }
 
 export const DAY: Look = {
@@ -45,7 +47,7 @@ export const DAY: Look = {
   ground: "#ddd5c8",
   wall: "#f8f5ef",
   wallOutside: "#e9e3d9",
-  wallCut: "#a89c8b",
+  wallCut: "#bfb29e",
   trim: "#fdfbf7",
   door: "#c9a27a",
   sky: "#bfe0f7",
@@ -57,6 +59,7 @@ export const DAY: Look = {
   floorTint: "#ffffff",
   label: "rgba(255, 255, 255, 0.94)",
   labelText: "#22201c",
+  lighterLines: 0,
 };
 
 export const DUSK: Look = {
@@ -64,7 +67,7 @@ export const DUSK: Look = {
   ground: "#191b21",
   wall: "#b9b0a6",
   wallOutside: "#5d5a5c",
-  wallCut: "#6f6a68",
+  wallCut: "#8a827b",
   trim: "#cfc8bf",
   door: "#8f6d4e",
   sky: "#33456e",
@@ -76,4 +79,5 @@ export const DUSK: Look = {
   floorTint: "#cdbfb2",
   label: "rgba(32, 35, 42, 0.92)",
   labelText: "#f2efe9",
+  lighterLines: 0.5,
 };

@@ -1,35 +1,12 @@
-import { floorPoint } from "../model/footprints";
-import { distance, type Segment } from "../model/geometry";
-import type { Action, Point, State, Vector3 } from "../model/state";
-import { cursorOf, gripOf, isChosen, selectionOf } from "./chosen";
-import { drag, type Grip, handOnWalls } from "./dragging";
+import type { Action, State } from "../model/state";
+import { cursorOf, isChosen } from "./chosen";
+import { drag } from "./dragging";
+import { type Gesture, gestureAt, spotAt } from "./gesture";
 import { dragSpot } from "./handle_drag";
-import { type Spot, spotsOf } from "./handle_spots";
-import { middleOf } from "./outline";
-import { heightOver, meetFloor, meetLevel, type Ray } from "./picking";
+import { type Pad, rayOf } from "./pad";
+import { Pencil } from "./pencil";
+import { selectCorner, tap } from "./taps";
 import { probeAt, targetAt } from "./targets";
-
-/** What the pointer needs of the picture: rays into it, places on it, and signs of its own. */
-export interface Pad {
-  readonly element: HTMLElement;
-  /** The ray through a point of the window, core frame. */
-  ray(x: number, y: number): Ray;
-  /** Where on the window a place is; null behind the eye. */
-  place(at: Vector3): Point | null;
-  /** Keeps the camera still. */
-  hold(held: boolean): void;
-  /** Which box is pointed at. */
-  hover(id: string | null): void;
-  /** What the thing that is dragged has snapped to. */
-  guide(guides: readonly Segment[]): void;
-}
-
-type Gesture =
-  | { readonly kind: "draw" }
-  | { readonly kind: "height" }
-  | { readonly kind: "spot"; readonly spot: Spot }
-  | { readonly kind: "grip"; readonly grip: Grip }
-  | { readonly kind: "look" };
 
 interface Press {
   readonly id: number;
@@ -42,27 +19,23 @@ interface Press {
   last: Action | null;
 }
 
-const TOUCH = 24; // CSS pixels round a handle: 48 across, more than the 44 that fingers need
-const MOUSE = 13;
 const SLOP = 5; // CSS pixels that a tap may slip
-const REACH = 40; // metres from the room within which one can draw
-const STEEP = 0.96; // looking down like this, heights cannot be seen
 
 /** Turns what mouse, pen and fingers do into actions. */
 export class Pointer {
   readonly #pad: Pad;
   readonly #dispatch: (action: Action) => void;
+  readonly #pencil: Pencil;
   readonly #listening = new AbortController();
   #state: State | null = null;
   #press: Press | null = null;
-  /** What to add to the height under the pointer while a box is pulled up. */
-  #pull: number | null = null;
   /** The press that the camera was given after all. */
   #handedOver: PointerEvent | null = null;
 
   constructor(pad: Pad, dispatch: (action: Action) => void) {
     this.#pad = pad;
     this.#dispatch = dispatch;
+    this.#pencil = new Pencil(dispatch);
     const { element } = pad;
     const options = { signal: this.#listening.signal, capture: true };
     element.addEventListener("pointerdown", (event) => this.#down(event), options);
@@ -77,7 +50,7 @@ export class Pointer {
   show(state: State): void {
     this.#state = state;
     if (state.draft?.kind !== "box-height") {
-      this.#pull = null;
+      this.#pencil.letGo();
     }
   }
 
@@ -100,8 +73,8 @@ export class Pointer {
     if (!event.isPrimary || event.button !== 0 || event === this.#handedOver) {
       return;
     }
-    const ray = this.#ray(event);
-    const gesture = this.#gesture(state, event, ray);
+    const ray = rayOf(this.#pad, event);
+    const gesture = gestureAt(state, this.#pad, event, ray);
     const { pointerId: id, clientX: x, clientY: y } = event;
     this.#press = { id, x, y, gesture, down: event, moved: false, last: null };
     if (gesture.kind === "look") {
@@ -112,7 +85,9 @@ export class Pointer {
     this.#pad.element.focus({ preventScroll: true });
     event.preventDefault();
     if (gesture.kind === "draw") {
-      this.#draw("draw-down", state, event, ray);
+      this.#pencil.draw("draw-down", state, event.altKey, ray);
+    } else if (gesture.kind === "height") {
+      this.#pencil.letGo();
     }
   }
 
@@ -131,24 +106,6 @@ export class Pointer {
     // The camera has not seen the first finger; it needs both.
     this.#handedOver = new PointerEvent(down.type, down);
     this.#pad.element.dispatchEvent(this.#handedOver);
-  }
-
-  #gesture(state: State, event: PointerEvent, ray: Ray): Gesture {
-    if (state.draft?.kind === "box-height") {
-      this.#pull = null;
-      return { kind: "height" };
-    }
-    const spot = this.#spotAt(state, event);
-    if (spot) {
-      return { kind: "spot", spot };
-    }
-    if (state.tool !== "select") {
-      const outline = state.tool === "room" || state.tool === "door" || state.tool === "window";
-      const inside = meetFloor(ray, state.scene.room) !== null;
-      return { kind: outline || inside ? "draw" : "look" };
-    }
-    const grip = gripOf(state, targetAt(state, ray), ray);
-    return grip ? { kind: "grip", grip } : { kind: "look" };
   }
 
   #move(event: PointerEvent): void {
@@ -174,16 +131,16 @@ export class Pointer {
   }
 
   #drag(state: State, press: Press, event: PointerEvent): void {
-    const ray = this.#ray(event);
+    const ray = rayOf(this.#pad, event);
     const { gesture } = press;
     switch (gesture.kind) {
       case "look":
         return;
       case "draw":
-        this.#draw("draw-move", state, event, ray);
+        this.#pencil.draw("draw-move", state, event.altKey, ray);
         return;
       case "height":
-        this.#raise(state, ray);
+        this.#pencil.raise(state, ray);
         return;
       case "spot":
         press.last = dragSpot(state, gesture.spot, ray, event.altKey, false) ?? press.last;
@@ -208,14 +165,14 @@ export class Pointer {
     this.#end();
     const { gesture, last, moved } = press;
     if (gesture.kind === "draw") {
-      this.#draw("draw-up", state, event, this.#ray(event));
+      this.#pencil.draw("draw-up", state, event.altKey, rayOf(this.#pad, event));
     } else if (gesture.kind === "height") {
-      this.#finishHeight(state);
+      this.#pencil.finishHeight(state);
     } else if (last && "done" in last) {
       this.#dispatch({ ...last, done: true });
-      this.#selectCorner(gesture);
+      this.#do(gesture.kind === "spot" ? selectCorner(gesture.spot) : []);
     } else if (!moved && event.type === "pointerup") {
-      this.#tap(state, gesture, this.#ray(event));
+      this.#do(tap(state, gesture, rayOf(this.#pad, event)));
     }
   }
 
@@ -225,62 +182,21 @@ export class Pointer {
     this.#pad.guide([]);
   }
 
-  #tap(state: State, gesture: Gesture, ray: Ray): void {
-    if (gesture.kind === "spot") {
-      this.#tapSpot(state, gesture.spot);
-      return;
-    }
-    const target = targetAt(state, ray);
-    if (target?.kind === "ghost") {
-      return;
-    }
-    if (target?.kind === "alternative") {
-      this.#dispatch({ type: "show-alternative", rank: target.rank });
-      return;
-    }
-    if (state.placing) {
-      this.#dispatch({ type: "probe", probe: probeAt(state, ray) });
-      return;
-    }
-    this.#dispatch({ type: "select", selection: selectionOf(target) });
-  }
-
-  /** A corner that was dragged can then be nudged or removed. */
-  #selectCorner(gesture: Gesture): void {
-    if (gesture.kind === "spot" && gesture.spot.kind === "corner") {
-      this.#dispatch({ type: "select", selection: { kind: "corner", index: gesture.spot.index } });
-    }
-  }
-
-  /** A corner of the old outline that is tapped, not dragged, is where a new outline begins. */
-  #tapSpot(state: State, spot: Spot): void {
-    if (spot.kind !== "corner") {
-      return;
-    }
-    const at: Point = [spot.at[0], spot.at[1]];
-    if (state.tool === "room") {
-      this.#dispatch({ type: "draw-down", at, free: true });
-      this.#dispatch({ type: "draw-up", at, free: true });
-    } else {
-      this.#dispatch({ type: "select", selection: { kind: "corner", index: spot.index } });
-    }
-  }
-
   #hover(state: State, event: PointerEvent): void {
-    const ray = this.#ray(event);
+    const ray = rayOf(this.#pad, event);
     if (state.draft?.kind === "box-height") {
-      this.#raise(state, ray);
+      this.#pencil.raise(state, ray);
       return;
     }
     if (state.draft) {
-      this.#draw("draw-move", state, event, ray);
+      this.#pencil.draw("draw-move", state, event.altKey, ray);
     }
     if (state.tool !== "select") {
-      this.#point(null, this.#spotAt(state, event) ? "grab" : "crosshair");
+      this.#point(null, spotAt(state, this.#pad, event) ? "grab" : "crosshair");
       return;
     }
     const target = targetAt(state, ray);
-    const spot = this.#spotAt(state, event);
+    const spot = spotAt(state, this.#pad, event);
     const chosen = isChosen(state, target);
     this.#point(target?.kind === "box" ? target.box.id : null, cursorOf(target, chosen, spot));
     const probe = probeAt(state, ray);
@@ -292,35 +208,6 @@ export class Pointer {
   #point(id: string | null, cursor: string): void {
     this.#pad.hover(id);
     this.#pad.element.style.cursor = cursor;
-  }
-
-  #draw(
-    type: "draw-down" | "draw-move" | "draw-up",
-    state: State,
-    event: PointerEvent,
-    ray: Ray,
-  ): void {
-    const onWalls = state.tool === "door" || state.tool === "window";
-    const at = onWalls ? handOnWalls(state, ray) : meetLevel(ray, 0);
-    if (at && distance(at, middleOf(state.scene.room.corners)) < REACH) {
-      this.#dispatch({ type, at, free: event.altKey });
-    }
-  }
-
-  #raise(state: State, ray: Ray): void {
-    if (state.draft?.kind !== "box-height" || Math.abs(ray.direction[2]) > STEEP) {
-      return;
-    }
-    const { box } = state.draft;
-    const height = heightOver(ray, floorPoint(box));
-    this.#pull ??= box.size[2] - height;
-    this.#dispatch({ type: "draw-height", height: height + this.#pull, done: false });
-  }
-
-  #finishHeight(state: State): void {
-    if (state.draft?.kind === "box-height") {
-      this.#dispatch({ type: "draw-height", height: state.draft.box.size[2], done: true });
-    }
   }
 
   #leave(event: PointerEvent): void {
@@ -339,25 +226,9 @@ export class Pointer {
     }
   }
 
-  #ray(event: PointerEvent): Ray {
-    return this.#pad.ray(event.clientX, event.clientY);
-  }
-
-  /** The handle nearest to the finger; on the body of a thing only a handle that is hit counts. */
-  #spotAt(state: State, event: PointerEvent): Spot | null {
-    let best: Spot | null = null;
-    const onBody = isChosen(state, targetAt(state, this.#ray(event)));
-    let least = onBody || event.pointerType === "mouse" ? MOUSE : TOUCH;
-    for (const spot of spotsOf(state)) {
-      const place = this.#pad.place(spot.at);
-      const gap = place
-        ? Math.hypot(place[0] - event.clientX, place[1] - event.clientY)
-        : Number.POSITIVE_INFINITY;
-      if (gap < least) {
-        best = spot;
-        least = gap;
-      }
+  #do(actions: readonly Action[]): void {
+    for (const action of actions) {
+      this.#dispatch(action);
     }
-    return best;
   }
 }

@@ -4,7 +4,7 @@ import type { RoomRecord } from "../net/protocol.gen";
 import { Faces } from "./faces";
 import { openingPanel, type Panel, type Wall, wallsOf, wallUnder } from "./outline";
 import type { Look } from "./palette";
-import { addSkirting, addWall, addWindowMark, CUT } from "./walls";
+import { addDoorFoot, addSkirting, addWall, addWindowMark, CUT } from "./walls";
 
 /** The doors or windows of each wall, as panels of it. */
 export function panelsByWall(walls: readonly Wall[], openings: RoomRecord["doors"]): Panel[][] {
@@ -31,6 +31,9 @@ export function lowPart(
     const gaps = doors[i] ?? [];
     addWall(faces, wall, [0, CUT], gaps, look);
     addSkirting(faces, wall, gaps, look);
+    for (const door of gaps) {
+      addDoorFoot(faces, wall, door, look);
+    }
     for (const window of windows[i] ?? []) {
       addWindowMark(faces, wall, window, look);
     }

@@ -17,6 +17,7 @@ import type { Eye, Part } from "./part";
 import { ProbeView } from "./probe_view";
 import { RoomView } from "./room_view";
 import { Solids } from "./solids";
+import { Veil } from "./veil";
 
 /**
  * All there is to see, below one group that stands in the core frame. It knows neither the
@@ -45,8 +46,9 @@ export class Scenery implements Part {
     const lights = new Lights(look);
     const room = new RoomView(look);
     const alternatives = new AlternativesView(look);
-    const labels = new LabelsView(look);
+    const labels = new LabelsView(look, alternatives.numbers);
     const probe = new ProbeView(look);
+    const veil = new Veil(look);
     this.#furniture = new FurnitureView(this.#solids);
     this.#draft = new DraftView(look);
     this.#graph = new GraphView(look);
@@ -61,9 +63,10 @@ export class Scenery implements Part {
       this.#graph,
       this.#draft,
       new HandlesView(),
+      veil,
       probe,
     ];
-    this.#lit = [lights, room, alternatives, labels, this.#graph, this.#draft, probe];
+    this.#lit = [lights, room, alternatives, labels, this.#graph, this.#draft, probe, veil];
     for (const part of this.#parts) {
       this.root.add(part.root);
     }

@@ -20,13 +20,16 @@ const AS_IT_IS: Finish = (material) => material;
 export class SolidModel {
   readonly root = new Group();
   readonly #finish: Finish;
+  /** When it is drawn, among what is translucent. */
+  readonly #order: number;
   readonly #body = new Group();
   #solid: Solid | null = null;
   #block: Mesh<RoundedBoxGeometry, MeshStandardMaterial> | null = null;
   #blockSize = "";
 
-  constructor(finish: Finish = AS_IT_IS) {
+  constructor(finish: Finish = AS_IT_IS, order = 0) {
     this.#finish = finish;
+    this.#order = order;
     this.root.add(this.#body);
   }
 
@@ -55,6 +58,7 @@ export class SolidModel {
     this.#body.clear();
     for (const { geometry, material } of solid) {
       const mesh = new Mesh(geometry, this.#finish(material));
+      mesh.renderOrder = this.#order;
       mesh.castShadow = true;
       mesh.receiveShadow = true;
       this.#body.add(mesh);
@@ -77,6 +81,7 @@ export class SolidModel {
     material.color.lerp(PALE, 0.45);
     const shown = this.#finish(material) as MeshStandardMaterial;
     this.#block = new Mesh(new RoundedBoxGeometry(depth, width, height, 3, rounding), shown);
+    this.#block.renderOrder = this.#order;
     this.#block.castShadow = true;
     this.#block.receiveShadow = true;
     this.root.add(this.#block);

@@ -4,8 +4,9 @@ import type { Action, Point, State, Vector3 } from "../model/state";
 import { Cameras } from "./cameras";
 import type { Insets } from "./framing";
 import { addReflections } from "./lights";
+import type { Pad } from "./pad";
 import { DAY, DUSK, type Look } from "./palette";
-import { type Pad, Pointer } from "./pointer";
+import { Pointer } from "./pointer";
 import { Resolution } from "./resolution";
 import { Scenery } from "./scenery";
 import { Sight } from "./sight";
@@ -54,8 +55,7 @@ export class Stage implements StageView {
     canvas.tabIndex = 0;
     canvas.setAttribute("role", "img");
     canvas.setAttribute("aria-label", "The room in three dimensions");
-    canvas.style.cssText =
-      "display:block;width:100%;height:100%;touch-action:none;outline-offset:-3px;outline-color:#2f6fed";
+    canvas.style.cssText = "display:block;width:100%;height:100%;touch-action:none";
     host.append(canvas);
     const look = this.#look();
     this.#scenery = new Scenery(assets, look, () => {

@@ -115,7 +115,7 @@ export function addSkirting(faces: Faces, wall: Wall, doors: readonly Panel[], l
   }
 }
 
-/** A frame, and a leaf that stands ajar outwards so that one sees that it is a door. */
+/** A frame, and a leaf with its fields. */
 export function addDoor(faces: Faces, wall: Wall, door: Panel, bottom: number, look: Look): void {
   const { from, to, top } = door;
   const at = (s: number, inward: number, z: number) => onWall(wall, s, -inward, z);
@@ -126,6 +126,15 @@ export function addDoor(faces: Faces, wall: Wall, door: Panel, bottom: number, l
   const leaf = [-THICKNESS * 0.5 - LEAF, -THICKNESS * 0.5] as const;
   faces.block(at, [from, to], leaf, [bottom, top], look.door);
   addDoorPanels(faces, at, door, leaf[1], look);
+}
+
+/** The foot of a door: its frame and its leaf, up to where the wall is cut. */
+export function addDoorFoot(faces: Faces, wall: Wall, { from, to }: Panel, look: Look): void {
+  const at = (s: number, inward: number, z: number) => onWall(wall, s, -inward, z);
+  const depth = [-THICKNESS - 0.01, 0.015] as const;
+  faces.block(at, [from - FRAME, from], depth, [0, CUT], look.trim);
+  faces.block(at, [to, to + FRAME], depth, [0, CUT], look.trim);
+  faces.block(at, [from, to], [-THICKNESS * 0.5 - LEAF, -THICKNESS * 0.5], [0, CUT], look.door);
 }
 
 /** Two raised fields and a handle. */

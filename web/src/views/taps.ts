@@ -1,0 +1,46 @@
+/** What a tap means: a press that did not move. Core frame. */
+import type { Action, Point, State } from "../model/state";
+import { selectionOf } from "./chosen";
+import type { Gesture } from "./gesture";
+import type { Spot } from "./handle_spots";
+import type { Ray } from "./picking";
+import { probeAt, targetAt } from "./targets";
+
+/** The actions of a tap, in order. */
+export function tap(state: State, gesture: Gesture, ray: Ray): readonly Action[] {
+  if (gesture.kind === "spot") {
+    return tapSpot(state, gesture.spot);
+  }
+  const target = targetAt(state, ray);
+  if (target?.kind === "ghost") {
+    return [];
+  }
+  if (target?.kind === "alternative") {
+    return [{ type: "show-alternative", rank: target.rank }];
+  }
+  return state.placing
+    ? [{ type: "probe", probe: probeAt(state, ray) }]
+    : [{ type: "select", selection: selectionOf(target) }];
+}
+
+/** A corner of the old outline that is tapped, not dragged, is where a new outline begins. */
+function tapSpot(state: State, spot: Spot): readonly Action[] {
+  if (spot.kind !== "corner") {
+    return [];
+  }
+  if (state.tool !== "room") {
+    return selectCorner(spot);
+  }
+  const at: Point = [spot.at[0], spot.at[1]];
+  return [
+    { type: "draw-down", at, free: true },
+    { type: "draw-up", at, free: true },
+  ];
+}
+
+/** A corner that was tapped or dragged can then be nudged or removed. */
+export function selectCorner(spot: Spot): readonly Action[] {
+  return spot.kind === "corner"
+    ? [{ type: "select", selection: { kind: "corner", index: spot.index } }]
+    : [];
+}
