@@ -82,8 +82,8 @@ def interval(
 
     Queries of one room hang together, so rooms are drawn, not queries.
     """
-    sums, counts, draws = _drawn([(room, (value,)) for room, value in values], rng)
-    return _middle((draws @ sums[:, 0]) / (draws @ counts))
+    sums, counts = _drawn([(room, (value,)) for room, value in values], rng)
+    return _middle(sums[:, 0] / counts)
 
 
 def relative(
@@ -91,23 +91,22 @@ def relative(
 ) -> tuple[float, float, float]:
     """mean(one) / mean(other) − 1 of (room, (one, other)) pairs, with its interval by rooms."""
     one, other = np.array([pair for _, pair in values]).mean(axis=0)
-    sums, _, draws = _drawn(values, rng)
-    totals = draws @ sums
+    totals, _ = _drawn(values, rng)
     safe = totals[totals[:, 1] > 0]
     return float(one / other - 1), *_middle(safe[:, 0] / safe[:, 1] - 1)
 
 
 def _drawn(
     values: Sequence[tuple[str, tuple[float, ...]]], rng: np.random.Generator
-) -> tuple[Floats, Floats, Floats]:
-    """Sums (rooms, values) and counts (rooms,) by room; how often each draw took it."""
+) -> tuple[Floats, Floats]:
+    """Rooms drawn with replacement: sums (draws, values), and how many values (draws,)."""
     rooms, index = np.unique([room for room, _ in values], return_inverse=True)
     numbers = np.array([number for _, number in values])
     sums = np.zeros((len(rooms), numbers.shape[1]))
     np.add.at(sums, index, numbers)
+    drawn = rng.integers(len(rooms), size=(RESAMPLES, len(rooms)))
     counts = np.bincount(index).astype(float)
-    chances = np.full(len(rooms), 1 / len(rooms))
-    return sums, counts, rng.multinomial(len(rooms), chances, size=RESAMPLES).astype(float)
+    return sums[drawn].sum(axis=1), counts[drawn].sum(axis=1)
 
 
 def _middle(resampled: Floats) -> tuple[float, float]:

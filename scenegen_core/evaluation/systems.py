@@ -64,11 +64,14 @@ def _along_walls(_: Bench, table: Table, __: Knowledge, rng: np.random.Generator
 
 
 def _away_from_wall(bench: Bench, table: Table, _: Knowledge, rng: np.random.Generator) -> Floats:
-    """Face away from the nearest wall."""
+    """Face away from a wall, the nearer the better; into a wall is as bad as away from it.
+
+    A footprint reaches other walls as it turns, so each heading is held against every wall.
+    """
     situation = table.situation
-    away = inward(bench.around.walls)[situation.wall_gaps.argmin(axis=1)]
-    turn = np.abs(wrapped(situation.candidates.headings - away))
-    return np.asarray(-turn + 1e-6 * rng.random(len(turn)), dtype=np.float64)
+    turns = np.abs(wrapped(situation.candidates.headings[:, None] - inward(bench.around.walls)))
+    worst = turns + np.abs(situation.wall_gaps)  # a radian counts like a metre
+    return np.asarray(-worst.min(axis=1) + 1e-6 * rng.random(len(worst)), dtype=np.float64)
 
 
 def _cover(_: Bench, table: Table, __: Knowledge, rng: np.random.Generator) -> Floats:
@@ -96,7 +99,7 @@ def _oracle(bench: Bench, table: Table, _: Knowledge, __: np.random.Generator) -
 
 def _rules(bench: Bench, table: Table, _: Knowledge, rng: np.random.Generator) -> Floats:
     """Hand-written rules in the manner of Holodeck: edge or middle, near its partner, facing it."""
-    edge, partner = RULES[bench.category.name]
+    edge, partner = RULES.get(bench.category.name, NO_RULE)
     situation, around = table.situation, bench.around
     against = situation.wall_gaps.min(axis=1) < 0.2  # noqa: PLR2004 (metres)
     scores = np.where(against == edge, 1.0, 0.0) + 1e-3 * rng.random(len(against))
@@ -141,6 +144,7 @@ RULES: dict[str, tuple[bool, str]] = {
     "TV": (True, "Sofa"),
 }
 """At the edge or in the middle, and near (and facing) what: a designer's first guess."""
+NO_RULE = (True, "")  # for categories that knowledge has added
 
 PAPER = System(
     "paper",
