@@ -6,24 +6,18 @@ Nothing outside the file is ever opened.
 from __future__ import annotations
 
 from dataclasses import dataclass
-from struct import pack, unpack_from
 
-import msgspec
 import numpy as np
-import pygltflib
 from trimesh import transform_points
 from trimesh.bounds import corners
 from trimesh.transformations import quaternion_matrix
 
 from server.furniture.mesh import Floats
-from server.gltf_records import Accessor, Gltf, Node, Primitive
+from server.gltf_records import Accessor, Gltf, Node, Primitive, read_glb
 
-JSON_START = 20  # bytes: the header of the file and that of its first part
-VERSION = 2
 OVERLAP = 2  # times its data that the slices of a file may be together; each is written by itself
 COMPONENT_BYTES = {5120: 1, 5121: 1, 5122: 2, 5123: 2, 5125: 4, 5126: 4}
 COMPONENTS = {"SCALAR": 1, "VEC2": 2, "VEC3": 3, "VEC4": 4, "MAT2": 4, "MAT3": 9, "MAT4": 16}
-
 MAX_DEPTH = 100  # nodes inside one another
 MAX_TRIANGLES = 1_000_000
 SMALLEST, LARGEST = 0.01, 20.0  # metres; nothing smaller or larger is furniture
@@ -51,7 +45,7 @@ class Model:
 
 def read_model(data: bytes) -> Model:
     """The model in a GLB; ValueError says why it is not usable."""
-    gltf = _read_glb(data)
+    gltf = read_glb(data)
     try:
         _check_self_contained(gltf, len(gltf.binary_blob() or b""))
         with np.errstate(over="ignore", invalid="ignore"):  # absurd numbers are refused below
@@ -107,31 +101,6 @@ def size_problem(size: Floats) -> str | None:
     if longest < SMALLEST:
         return f"it is only {1000 * longest:.2g} mm long; export it in metres"
     return None
-
-
-def _read_glb(data: bytes) -> Gltf:
-    """What pygltflib reads once the container is known to be whole; ValueError."""
-    if len(data) < JSON_START or not data.startswith(pygltflib.MAGIC):
-        raise ValueError("it is not a GLB file")
-    version, total, length = unpack_from("<III", data, 4)
-    if version != VERSION:
-        raise ValueError(f"it is glTF {version}; export it as glTF 2.0")
-    if total != len(data):
-        raise ValueError(f"it is cut short or damaged ({len(data)} of {total} bytes)")
-    if data[16:20] != pygltflib.JSON.encode():
-        raise ValueError("its first part is not JSON")
-    end = JSON_START + length
-    if data[end + 4 : end + 8] == pygltflib.BIN.encode():
-        end += 8 + unpack_from("<I", data, end)[0]
-    if end > total:
-        raise ValueError("one of its parts is cut short")
-    try:  # the parts of extensions, which may follow, are left out
-        gltf: Gltf = Gltf.load_from_bytes(data[:8] + pack("<I", end) + data[12:end])
-    except msgspec.ValidationError as error:
-        raise ValueError(f"its JSON is not that of a glTF: {error}") from None
-    except (msgspec.DecodeError, UnicodeDecodeError, RecursionError) as error:
-        raise ValueError(f"its JSON is damaged ({error})") from None
-    return gltf
 
 
 def _check_self_contained(gltf: Gltf, available: int) -> None:

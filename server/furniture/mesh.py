@@ -11,7 +11,6 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 from trimesh import transform_points
-from trimesh.geometry import mean_vertex_normals
 from trimesh.transformations import rotation_matrix
 from trimesh.triangles import cross
 from trimesh.util import append_faces
@@ -75,12 +74,6 @@ def merged(meshes: Iterable[Mesh]) -> tuple[Floats, Floats, Floats, Ints]:
     normals = np.concatenate([part.normals for part in parts])
     colors = np.repeat([part.color for part in parts], counts, axis=0)
     return np.asarray(positions, float), normals, colors, np.asarray(faces, np.int64)
-
-
-def smooth_normals(positions: Floats, faces: Ints) -> Floats:
-    """Unit normals (vertices, 3): the mean of the faces around, weighted by their area."""
-    normals: Floats = mean_vertex_normals(len(positions), faces, cross(positions[faces]))
-    return normals
 
 
 def facing(positions: Floats, normals: Floats, faces: Ints) -> Ints:

@@ -11,11 +11,13 @@ from itertools import product
 from math import pi
 
 import numpy as np
+from scipy.sparse import coo_matrix
 from trimesh import transform_points, unitize
 from trimesh.creation import revolve
-from trimesh.geometry import align_vectors
+from trimesh.geometry import align_vectors, index_sparse, mean_vertex_normals
+from trimesh.triangles import cross
 
-from server.furniture.mesh import Floats, Ints, Mesh, facing, smooth_normals
+from server.furniture.mesh import Floats, Ints, Mesh, facing
 
 Span = tuple[float, float]
 Spot = tuple[float, float, float]
@@ -95,8 +97,9 @@ def leaf(base: Spot, tip: Spot, width: float, droop: float) -> Mesh:
     sides = across[None, :] * widths[:, None]
     fold = np.array([0.0, 0.12 * width, 0.0])
     positions = np.stack([spine + sides + fold, spine, spine - sides + fold], axis=1).reshape(-1, 3)
-    faces = _leaf_faces(len(steps))
-    return Mesh(positions, smooth_normals(positions, faces), faces)
+    faces, around = _leaf_faces(len(steps))
+    areas = cross(positions[faces])
+    return Mesh(positions, mean_vertex_normals(len(positions), faces, areas, around), faces)
 
 
 @lru_cache
@@ -132,8 +135,9 @@ def _signs(axis: int, own: int, first: int, second: int) -> tuple[int, ...]:
 
 
 @lru_cache
-def _leaf_faces(rows: int) -> Ints:
-    return np.array(
+def _leaf_faces(rows: int) -> tuple[Ints, coo_matrix]:
+    """The faces of a blade, and which of them are around each vertex: (vertices, faces)."""
+    faces = np.array(
         [
             face
             for row, side in product(range(rows - 1), range(2))
@@ -141,6 +145,7 @@ def _leaf_faces(rows: int) -> Ints:
             for face in ((a, a + 1, a + 4), (a, a + 4, a + 3))
         ]
     )
+    return faces, index_sparse(3 * rows, faces)
 
 
 def _edge_normal(across: Floats, step: int, end: int) -> Floats:

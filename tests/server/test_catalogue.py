@@ -199,6 +199,7 @@ BREAKAGES: dict[str, tuple[Callable[[dict[str, Any]], object], str]] = {
     "shared": (shared, "over and over"),
     "no count": (lambda v: v["accessors"][0].pop("count"), "no count - at `$.accessors[0]`"),
     "no length": (lambda v: v["bufferViews"][0].pop("byteLength"), "$.bufferViews[0]"),
+    "long": (lambda v: v.update(extras={"a": "x" * 5_000_000}), "larger than 4 MB"),
     "wrong type": (lambda v: v.update(nodes="all"), "$.nodes"),
 }  # fmt: skip
 
