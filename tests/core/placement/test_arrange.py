@@ -1,4 +1,4 @@
-"""Several objects one after another; baselines; heat maps."""
+"""Several objects one after another; heat maps."""
 
 from __future__ import annotations
 
@@ -10,7 +10,6 @@ from scenegen_core.graph.surroundings import Surroundings
 from scenegen_core.knowledge import default_knowledge
 from scenegen_core.placement.answer import Query
 from scenegen_core.placement.arrange import arrange
-from scenegen_core.placement.baselines import BASELINES, along_walls, random, random_open
 from scenegen_core.placement.heat_map import heat_maps, likelihood, scale
 from scenegen_core.placement.mounts import Mount
 from scenegen_core.placement.proposals import propose
@@ -62,52 +61,6 @@ def test_progress_counts_the_objects() -> None:
 def test_nothing_asked_changes_nothing() -> None:
     start = room()
     assert arrange(start, [], KNOWLEDGE) == (start, ())
-
-
-# --- baselines ------------------------------------------------------------------------------------
-
-PROPOSALS = propose(Surroundings(room(), PAPER_CATEGORIES), category("Sofa"), (0.9, 1.8, 0.8))
-EASTERN = PROPOSALS.candidates.centers[:, 0] > 4
-
-
-@pytest.mark.parametrize("name", BASELINES)
-def test_a_baseline_draws_as_many_different_poses_as_asked(name: str) -> None:
-    drawn = BASELINES[name](PROPOSALS, EASTERN, 20, np.random.default_rng(1))
-    again = BASELINES[name](PROPOSALS, EASTERN, 20, np.random.default_rng(1))
-    assert len(set(drawn.tolist())) == 20
-    assert drawn.tolist() == again.tolist()
-
-
-def test_random_ignores_what_is_possible_and_the_others_do_not() -> None:
-    rng = np.random.default_rng(2)
-    drawn = random(PROPOSALS, EASTERN, 500, rng)
-    share = EASTERN.mean()  # about a fifth
-    assert EASTERN[drawn].mean() == pytest.approx(share, abs=4 * np.sqrt(share / 500))
-    assert EASTERN[random_open(PROPOSALS, EASTERN, 500, rng)].all()
-    assert EASTERN[along_walls(PROPOSALS, EASTERN, 20, rng)].all()
-
-
-def test_along_walls_has_its_back_to_a_wall() -> None:
-    drawn = along_walls(PROPOSALS, EASTERN, 30, np.random.default_rng(3))
-    poses = PROPOSALS.candidates[drawn]
-    back = poses.centers[:, :2] - 0.47 * np.column_stack(
-        [np.cos(poses.headings), np.sin(poses.headings)]
-    )
-    off = np.minimum.reduce([back[:, 0], 5 - back[:, 0], back[:, 1], 4 - back[:, 1]])
-    assert off == pytest.approx(0, abs=1e-9)
-
-
-def test_along_walls_falls_back_to_anywhere_possible() -> None:
-    middle = ~PROPOSALS.flush & EASTERN
-    assert middle[along_walls(PROPOSALS, middle, 5, np.random.default_rng(4))].all()
-
-
-@pytest.mark.parametrize("name", BASELINES)
-def test_a_baseline_draws_no_more_than_there_is(name: str) -> None:
-    few = np.zeros(len(EASTERN), dtype=bool)
-    few[:3] = True
-    drawn = BASELINES[name](PROPOSALS, few, 5, np.random.default_rng(5))
-    assert len(drawn) == (5 if name == "random" else 3)
 
 
 # --- heat maps ------------------------------------------------------------------------------------
