@@ -8,11 +8,11 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, replace
-from math import cos, sin
 from statistics import median
 
 from shapely import Polygon
 
+from scenegen_core.scene.geometry import footprints
 from scenegen_core.scene.model import Box, Scene
 
 ROOM_TYPES = (
@@ -105,8 +105,8 @@ def _solid(scene: Scene) -> Iterator[Box]:
 def _inside(scene: Scene) -> Iterator[Box]:
     """The boxes whose footprint lies at least half in the room."""
     room = _outline(scene).buffer(OUTLINE_ERROR)
-    for box in scene.boxes:
-        footprint = _footprint(box)
+    for box, corners in zip(scene.boxes, footprints(scene.boxes).corners, strict=True):
+        footprint = Polygon(corners)
         if footprint.difference(room).area <= OUTSIDE * footprint.area:
             yield box
 
@@ -127,18 +127,6 @@ def _put_on_floor(scene: Scene) -> Scene:
 def _raised(box: Box, by: float) -> Box:
     x, y, z = box.center
     return replace(box, center=(x, y, z + by))
-
-
-def _footprint(box: Box) -> Polygon:
-    (x, y, _), (depth, width, _) = box.center, box.size
-    along_x, along_y = cos(box.heading), sin(box.heading)
-    return Polygon(
-        (
-            x + i * depth * along_x - j * width * along_y,
-            y + i * depth * along_y + j * width * along_x,
-        )
-        for i, j in ((0.5, 0.5), (-0.5, 0.5), (-0.5, -0.5), (0.5, -0.5))
-    )
 
 
 def _keep(scene: Scene, boxes: Iterable[Box]) -> Scene:

@@ -6,7 +6,14 @@ from functools import cached_property
 
 import numpy as np
 
-from scenegen_core.scene.geometry import Bools, Floats, Ints, Rectangles, walls_as_rectangles
+from scenegen_core.scene.geometry import (
+    Bools,
+    Floats,
+    Ints,
+    Rectangles,
+    footprints,
+    walls_as_rectangles,
+)
 from scenegen_core.scene.model import OTHER, Category, Scene
 
 
@@ -23,14 +30,9 @@ class Surroundings:
         self.ids = tuple(box.id for box in boxes)
         self.parents = tuple(box.parent for box in boxes)
         self.centers: Floats = np.array([box.center for box in boxes], dtype=float).reshape(-1, 3)
-        sizes = np.array([box.size for box in boxes], dtype=float).reshape(-1, 3)
-        self.footprints = Rectangles(
-            self.centers[:, :2],
-            sizes[:, :2] / 2,
-            np.array([box.heading for box in boxes], dtype=float),
-        )
-        self.bottoms: Floats = self.centers[:, 2] - sizes[:, 2] / 2
-        self.tops: Floats = self.centers[:, 2] + sizes[:, 2] / 2
+        self.footprints = footprints(boxes)
+        self.bottoms: Floats = np.array([box.bottom for box in boxes], dtype=float)
+        self.tops: Floats = np.array([box.top for box in boxes], dtype=float)
         self.fronts_known: Bools = np.array([box.front_known for box in boxes], dtype=bool)
         self.walls: Floats = np.array(scene.room.walls, dtype=float)
 

@@ -17,9 +17,8 @@ from numpy.typing import NDArray
 from scipy.special import entr
 
 from scenegen_core.graph.relations import ABSENT
+from scenegen_core.scene.geometry import Bools, Floats
 
-Floats = NDArray[np.float64]
-Bools = NDArray[np.bool_]
 Kind = Literal["continuous", "ordered"]
 Bandwidths = Literal["bounded", "paper"]
 
@@ -41,10 +40,6 @@ class Terms:
     disagree about; at most 0."""
     responsibilities: Floats
     """(queries, n): how much of the density each example carries; a row sums to 1."""
-
-    def loudest(self, count: int) -> NDArray[np.intp]:
-        """The examples that carry most of the density, the loudest first: (queries, count)."""
-        return np.argsort(-self.responsibilities, axis=1, kind="stable")[:, :count]
 
 
 @dataclass(frozen=True, eq=False)

@@ -16,8 +16,9 @@ from scenegen_core.graph.relations import (
     SAME_DIRECTION,
     Column,
 )
-from scenegen_core.knowledge.density import Bandwidths, Bools, Density, Floats
+from scenegen_core.knowledge.density import Bandwidths, Density
 from scenegen_core.knowledge.sources import Source
+from scenegen_core.scene.geometry import Bools, Floats
 from scenegen_core.scene.model import Category, Vector3
 
 POSITION = ("AD", "S", "RP")  # the paper's relations of position; Support is left out as there

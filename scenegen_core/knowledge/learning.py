@@ -15,9 +15,9 @@ from scenegen_core.graph.candidates import Candidates
 from scenegen_core.graph.relations import RELATIONS, columns, measure
 from scenegen_core.graph.situation import Situation
 from scenegen_core.graph.surroundings import Surroundings
-from scenegen_core.knowledge.density import Floats
 from scenegen_core.knowledge.knowledge import SETTINGS, CategoryKnowledge, Knowledge
 from scenegen_core.knowledge.sources import sources_of
+from scenegen_core.scene.geometry import Floats
 from scenegen_core.scene.model import OTHER, Box, Category, Scene
 
 BATCH = 32  # rooms measured at a time; the unit of work that goes to other processes

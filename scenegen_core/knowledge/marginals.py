@@ -11,9 +11,9 @@ from dataclasses import dataclass
 import numpy as np
 
 from scenegen_core.graph.relations import ABSENT
-from scenegen_core.knowledge.density import Bools, Floats
 from scenegen_core.knowledge.knowledge import CategoryKnowledge, Knowledge
 from scenegen_core.knowledge.sources import Source
+from scenegen_core.scene.geometry import Bools, Floats
 from scenegen_core.scene.model import Symmetry
 
 SEVERAL = 2  # members; "surrounded by multiple objects"

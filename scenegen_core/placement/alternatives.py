@@ -61,10 +61,9 @@ def _best_of_places(
     proposals: Proposals, scores: Floats, rng: np.random.Generator
 ) -> Iterator[int]:
     """The best pose of each cell, the best cell first."""
-    place = proposals.mounts * (1 << 40) + proposals.cells
     jittered = scores + rng.random(len(scores)) * TIE
     ranked = np.argsort(-jittered, kind="stable")
-    _, first = np.unique(place[ranked], return_index=True)
+    _, first = np.unique(proposals.places[ranked], return_index=True)
     yield from (int(pose) for pose in ranked[np.sort(first)] if np.isfinite(scores[pose]))
 
 

@@ -14,6 +14,7 @@ from scenegen_core.graph.surroundings import Surroundings
 from scenegen_core.placement.answer import Reason
 from scenegen_core.placement.paper_model import PaperModel, Share
 from scenegen_core.placement.reasons import reason_text
+from scenegen_core.scene.geometry import Floats
 
 REFERENCES = 500  # poses that stand for all possible ones of a room
 ROOMS_NAMED = 3
@@ -76,7 +77,7 @@ class Explainer:
         return reason_text(relation, group, values[relation, group], members)
 
 
-def _parts(share: Share) -> np.ndarray[tuple[int, int], np.dtype[np.float64]]:
+def _parts(share: Share) -> Floats:
     """The columns and the agreement side by side: (poses, columns + 1)."""
     return np.column_stack([share.terms.columns, share.terms.agreement])
 

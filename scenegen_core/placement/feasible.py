@@ -11,6 +11,7 @@ from dataclasses import dataclass
 import numpy as np
 import shapely
 
+from scenegen_core.graph.relations import RESTS
 from scenegen_core.graph.situation import Situation
 from scenegen_core.graph.surroundings import Surroundings
 from scenegen_core.placement.mounts import RUG_HEIGHT, SUPPORTS, Mount, mounts
@@ -37,7 +38,6 @@ TUCK = 0.35  # metres that a chair's seat goes under a table
 DOOR_DEPTH = 1.5  # metres; a wider opening has no leaf that swings further
 WINDOW_DEPTH = 0.5  # metres in front of a window that tall things leave free
 HANGING_TURN = np.pi / 16  # radians that what hangs may be turned from its wall
-RESTS = 0.05  # metres; undersides this near to what carries them rest on it
 
 NATURAL_OVERLAPS: dict[frozenset[str], float] = {frozenset({"Chair", "Table"}): TUCK}
 """Pairs of categories of which one goes under the other, and how deep, metres."""
@@ -88,7 +88,7 @@ def verdicts(situation: Situation, space: Space) -> Ints:
     broken = (
         _leaves_room(situation, space),
         _floats(situation),
-        _collides(situation).any(axis=1),
+        collisions(situation).any(axis=1),
         _blocks_door(situation, space),
         _covers_window(situation, space),
     )
@@ -96,11 +96,6 @@ def verdicts(situation: Situation, space: Space) -> Ints:
     for index, forbidden in reversed(list(enumerate(broken))):
         verdict[forbidden] = index
     return verdict
-
-
-def hit_boxes(situation: Situation) -> Bools:
-    """Which boxes each pose runs into: (n, m)."""
-    return _collides(situation)
 
 
 def _leaves_room(situation: Situation, space: Space) -> Bools:
@@ -132,7 +127,8 @@ def _floats(situation: Situation) -> Bools:
     return ~rests
 
 
-def _collides(situation: Situation) -> Bools:
+def collisions(situation: Situation) -> Bools:
+    """Which boxes each pose runs into, natural overlaps left out: (n, m)."""
     candidates, around = situation.candidates, situation.surroundings
     if candidates.size[2] <= RUG_HEIGHT:
         return np.zeros((len(candidates), len(around)), dtype=np.bool_)

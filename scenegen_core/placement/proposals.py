@@ -21,6 +21,7 @@ from scenegen_core.placement.mounts import (
     mounts,
 )
 from scenegen_core.scene.geometry import (
+    TIE,
     Bools,
     Floats,
     Ints,
@@ -34,8 +35,9 @@ from scenegen_core.scene.model import Category, Point, Symmetry, Vector3
 CELL = 0.1  # metres between positions
 HEADINGS = 16  # of an asymmetric object, a full turn
 WALL_GAP = 0.02  # metres that furniture keeps from the wall it is pushed against (skirting)
-TIE = 1e-9  # metres; distances that differ by rounding only are the same
 OVERHANG = 0.15  # metres that an object may stick out over what it stands on
+
+MOUNT_STEP = 1 << 40  # more cells than a grid has: cells of different mounts stay apart
 
 SURFACES: tuple[Surface, ...] = ("floor", "walls", "tops")
 """The heat map of each mount, in the order of Mount."""
@@ -77,6 +79,11 @@ class Proposals:
     flush: Bools
     """Is the pose one that is pushed against a wall? (n,)"""
     grids: dict[Mount, Grid]
+
+    @property
+    def places(self) -> Ints:
+        """A number for each pose; poses of one cell of one mount share it: (n,)."""
+        return np.asarray(self.mounts * MOUNT_STEP + self.cells, dtype=np.int64)
 
 
 def propose(around: Surroundings, category: Category, size: Vector3) -> Proposals:
@@ -226,9 +233,7 @@ def _top_poses(around: Surroundings, category: Category, size: Vector3) -> Itera
         yield poses[stands], facing[stands], False
 
 
-def stands_on(
-    shapes: Rectangles, supports: Rectangles
-) -> np.ndarray[tuple[int, int], np.dtype[np.bool_]]:
+def stands_on(shapes: Rectangles, supports: Rectangles) -> Bools:
     """Is every corner of a shape over the support, up to the overhang?: (shapes, supports)."""
     corners = shapes.corners[:, None, :, :] - supports.centers[None, :, None, :]
     along = (corners[:, :, :, None, :] * supports.axes[None, :, None, :, :]).sum(axis=4)

@@ -9,7 +9,7 @@ import numpy as np
 from scenegen_core.graph.situation import Situation
 from scenegen_core.graph.wording import noun, spoken
 from scenegen_core.placement.answer import NoGoodPlace
-from scenegen_core.placement.feasible import hit_boxes
+from scenegen_core.placement.feasible import collisions
 from scenegen_core.placement.mounts import Mount, mounts
 from scenegen_core.scene.model import Vector3
 
@@ -17,7 +17,7 @@ from scenegen_core.scene.model import Vector3
 def refusal(rule: str, situation: Situation, closed: str | None) -> str:
     """Why the single pose of a situation is not possible."""
     if rule == "collision":
-        hit = np.flatnonzero(hit_boxes(situation)[0])
+        hit = np.flatnonzero(collisions(situation)[0])
         names = [spoken(situation.surroundings.scene.boxes[i]) for i in hit]
         return f"It would stand in the {' and the '.join(dict.fromkeys(names))}."
     if rule == "path":

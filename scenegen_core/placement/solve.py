@@ -30,7 +30,7 @@ from scenegen_core.placement.proposals import Proposals, propose
 from scenegen_core.placement.refusals import no_good_place, refusal
 from scenegen_core.placement.walking import Walking
 from scenegen_core.placement.words import sentence
-from scenegen_core.scene.geometry import Floats, Ints
+from scenegen_core.scene.geometry import Floats, Ints, wrapped
 from scenegen_core.scene.model import Scene, Vector3
 
 MIN_SIZE, MAX_SIZE = 0.01, 20.0  # metres; nothing smaller or larger is furniture
@@ -153,7 +153,7 @@ def _poses(
             Pose(
                 rank=rank,
                 center=(x, y, z),
-                heading=_plain(float(single.headings[0])),
+                heading=round(float(wrapped(single.headings)[0]), 9),  # without rounding dust
                 score=why.score,
                 likelihood=float(value),
                 sentence=sentence(Situation(single, around), learnt.category),
@@ -176,9 +176,3 @@ def _no_good_place(
 
 def _single(category: str, size: Vector3, center: Vector3, heading: float) -> Candidates:
     return Candidates(category, size, np.array([center], dtype=float), np.array([heading]))
-
-
-def _plain(heading: float) -> float:
-    """A heading in (−π, π], without rounding dust."""
-    turned = (heading + np.pi) % (2 * np.pi) - np.pi
-    return round(turned, 9)

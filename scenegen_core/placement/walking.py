@@ -15,8 +15,9 @@ from scipy import ndimage
 from scenegen_core.graph.surroundings import Surroundings
 from scenegen_core.graph.wording import spoken
 from scenegen_core.placement.mounts import RUG_HEIGHT
-from scenegen_core.placement.proposals import CELL, TIE, floor_points
+from scenegen_core.placement.proposals import CELL, floor_points
 from scenegen_core.scene.geometry import (
+    TIE,
     Bools,
     Floats,
     Ints,
@@ -24,6 +25,7 @@ from scenegen_core.scene.geometry import (
     directions,
     distances_to_rectangles,
     distances_to_segments,
+    footprints,
 )
 from scenegen_core.scene.model import Box
 
@@ -85,7 +87,7 @@ class Walking:
         """What could no longer be reached with the box there; None if all still can."""
         if not _is_obstacle(box):
             return None
-        shape = _footprint(box)
+        shape = footprints([box])
         after = self._reached(self._free & ~self._near(shape, WALKER / 2 - CELL / 2))
         for target in self.targets:
             lost = self._before[:, target.cells].any(axis=1) & ~after[:, target.cells].any(axis=1)
@@ -143,7 +145,7 @@ class Walking:
 
     def _cells_at(self, box: Box) -> Ints:
         """Cells from which a box is reached: beside it, or before its front if it has doors."""
-        shape = _footprint(box)
+        shape = footprints([box])
         if box.category == "Storage" and box.front_known:
             ahead = directions(shape.headings) * (shape.halves[0, 0] + FRONT / 2)
             half = np.array([[FRONT / 2, shape.halves[0, 1]]])
@@ -155,11 +157,3 @@ class Walking:
 def _is_obstacle(box: Box) -> bool:
     """Does it stand in a walker's way? Rugs and what hangs high or lies on furniture do not."""
     return box.bottom < HEAD and box.size[2] > RUG_HEIGHT and box.bottom < FRONT
-
-
-def _footprint(box: Box) -> Rectangles:
-    return Rectangles(
-        np.array([box.center[:2]], dtype=float),
-        np.array([box.size[:2]], dtype=float) / 2,
-        np.array([box.heading], dtype=float),
-    )

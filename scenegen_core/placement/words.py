@@ -10,8 +10,8 @@ import shapely
 from scenegen_core.graph.situation import Situation
 from scenegen_core.graph.wording import metres, spoken
 from scenegen_core.placement.mounts import SUPPORTS
-from scenegen_core.placement.proposals import TIE, inward
-from scenegen_core.scene.geometry import Floats, directions, gaps, walls_as_rectangles
+from scenegen_core.placement.proposals import inward
+from scenegen_core.scene.geometry import TIE, Floats, directions, gaps, walls_as_rectangles
 from scenegen_core.scene.model import Box, Category, Symmetry
 
 AGAINST = 0.25  # metres between footprint and wall that people still call "against"

@@ -12,9 +12,8 @@ from __future__ import annotations
 from math import pi
 
 import numpy as np
-from numpy.typing import NDArray
 
-Floats = NDArray[np.float64]
+from scenegen_core.scene.geometry import Floats
 
 
 def to_page(points: Floats) -> Floats:
@@ -30,11 +29,6 @@ def to_core(points: Floats) -> Floats:
 def page_turn(heading: float) -> float:
     """The turn about the page's +y, radians, that makes a model's +z front point along heading."""
     return heading + pi / 2
-
-
-def heading_of_turn(turn: float) -> float:
-    """The heading of a model turned about the page's +y; the inverse of :func:`page_turn`."""
-    return turn - pi / 2
 
 
 def unity_to_core(points: Floats) -> Floats:

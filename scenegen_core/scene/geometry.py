@@ -6,15 +6,19 @@ center, its half sizes (along and across its heading) and its heading.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
+from scenegen_core.scene.model import Box
+
 Floats = NDArray[np.float64]
 Bools = NDArray[np.bool_]
 Ints = NDArray[np.int64]
 
+TIE = 1e-9  # metres; distances that differ by rounding only are the same
 PAIRS_A_BLOCK = 400_000  # keeps the temporaries of one block in the processor's cache
 
 
@@ -59,6 +63,15 @@ def left_of(vectors: Floats) -> Floats:
 def wrapped(angles: Floats) -> Floats:
     """Angles in [-π, π)."""
     return (angles + np.pi) % (2 * np.pi) - np.pi
+
+
+def footprints(boxes: Sequence[Box]) -> Rectangles:
+    """The footprints of n boxes."""
+    return Rectangles(
+        np.array([box.center[:2] for box in boxes], dtype=float).reshape(-1, 2),
+        np.array([box.size[:2] for box in boxes], dtype=float).reshape(-1, 2) / 2,
+        np.array([box.heading for box in boxes], dtype=float),
+    )
 
 
 def walls_as_rectangles(segments: Floats) -> Rectangles:

@@ -11,8 +11,9 @@ from hypothesis import strategies as st
 from hypothesis.extra.numpy import arrays
 from statsmodels.nonparametric.kernel_density import KDEMultivariate
 
-from scenegen_core.knowledge.density import Density, Floats, Kind
+from scenegen_core.knowledge.density import Density, Kind
 from scenegen_core.knowledge.files import default_knowledge
+from scenegen_core.scene.geometry import Floats
 
 ABSENT = 1000.0
 REPRESENTABLE = 1e-290  # statsmodels' products lose digits below that
@@ -218,9 +219,10 @@ def test_the_terms_add_up_in_real_rooms_too(category: str) -> None:
     )
 
 
-def test_the_loudest_examples_are_the_nearest_ones() -> None:
+def test_the_nearest_examples_carry_most_of_the_density() -> None:
     density = Density.fit(np.array([[0.0], [1.0], [2.0], [3.0]]), ["continuous"], fixed={0: 0.5})
-    assert density.terms(np.array([[1.9], [0.2]])).loudest(2).tolist() == [[2, 1], [0, 1]]
+    shares = density.terms(np.array([[1.9], [0.2]])).responsibilities
+    assert np.argsort(-shares, axis=1)[:, :2].tolist() == [[2, 1], [0, 1]]
 
 
 def test_many_queries_at_once_give_what_each_gives_alone() -> None:
