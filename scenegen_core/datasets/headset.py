@@ -11,7 +11,7 @@ from shapely import Point as ShapelyPoint
 from shapely import Polygon
 
 from scenegen_core.datasets.labels import category_of, faces_somewhere
-from scenegen_core.datasets.outlines import NEAR_OUTLINE, OUTSIDE, on_outline
+from scenegen_core.datasets.outlines import NEAR_OUTLINE, OUTSIDE, on_outline, rounded
 from scenegen_core.datasets.plans import checked_room
 from scenegen_core.datasets.remarks import Report, Skipped, usable_boxes, usable_openings
 from scenegen_core.scene.model import Box, Opening, Point, Scene, Vector3
@@ -137,14 +137,9 @@ def _box(block: Block, box_id: str, category: str, floor: float) -> Box:
     return Box(
         id=box_id,
         category=category,
-        center=_rounded(x, y, (bottom + top) / 2),
-        size=_rounded(depth, width, top - bottom),
+        center=rounded((x, y, (bottom + top) / 2)),
+        size=rounded((depth, width, top - bottom)),
         heading=round(block.heading, 4),
         label=in_words(block.label),
         front_known=faces_somewhere(category),
     )
-
-
-def _rounded(*values: float) -> Vector3:
-    x, y, z = (round(float(value), 4) for value in values)
-    return x, y, z

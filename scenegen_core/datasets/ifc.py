@@ -37,7 +37,7 @@ from scenegen_core.datasets.plans import (
 )
 from scenegen_core.datasets.remarks import Report, Skipped, usable_boxes
 from scenegen_core.errors import DataError, SceneError
-from scenegen_core.scene.frames import Floats
+from scenegen_core.scene.geometry import Floats
 from scenegen_core.scene.model import Box, Opening, Scene
 
 SOURCE = "ifc"

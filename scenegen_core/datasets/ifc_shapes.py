@@ -13,7 +13,7 @@ import numpy as np
 from scenegen_core.datasets.contents import content
 from scenegen_core.datasets.remarks import Report, Skipped
 from scenegen_core.errors import DataError
-from scenegen_core.scene.frames import Floats
+from scenegen_core.scene.geometry import Floats
 
 SURVEYED = 500.0  # metres; models further from their origin have the coordinates of a survey
 

@@ -17,13 +17,8 @@ from scenegen_core.datasets.contents import Head, content
 from scenegen_core.datasets.labels import categories_of, category_of
 from scenegen_core.datasets.matterport_file import Category, House, Region, Thing, house_of
 from scenegen_core.datasets.matterport_poses import Label, labels_beside, level_axes
-from scenegen_core.datasets.outlines import point_of
-from scenegen_core.datasets.plans import (
-    checked_room,
-    rounded,
-    scene_id,
-    with_openings,
-)
+from scenegen_core.datasets.outlines import point_of, rounded
+from scenegen_core.datasets.plans import checked_room, scene_id, with_openings
 from scenegen_core.datasets.remarks import Report, Skipped, usable_boxes
 from scenegen_core.errors import SceneError
 from scenegen_core.scene.model import Box, Opening, Point, Scene
@@ -132,13 +127,11 @@ def _box(thing: Thing, name: str, category: str, floor: float, label: Label | No
     headings = np.arctan2(axes[:, 1], axes[:, 0])
     axis = 0 if label is None else label.axis_of(headings)
     upright = int(np.argmax(np.abs(thing.axes[:, 2])))
-    x, y, z = rounded(thing.center - [0.0, 0.0, floor])
-    depth, width, height = rounded([*sizes[axis], 2 * thing.half[upright]])
     return Box(
         id=str(thing.index),
         category=category,
-        center=(x, y, z),
-        size=(depth, width, height),
+        center=rounded(thing.center - [0.0, 0.0, floor]),
+        size=rounded([*sizes[axis], 2 * thing.half[upright]]),
         heading=float(headings[axis]),
         label=name,
         front_known=label is not None,

@@ -15,7 +15,7 @@ import numpy as np
 
 from scenegen_core.datasets.remarks import Report, Skipped
 from scenegen_core.errors import DataError
-from scenegen_core.scene.frames import Floats
+from scenegen_core.scene.geometry import Floats
 
 FARTHEST = 1e6  # metres; numbers beyond that, and those that are none, are mistakes
 SHORT = 0.5  # of a unit: directions that short, or that near to each other, are wrong

@@ -18,7 +18,7 @@ from scenegen_core.datasets.contents import content
 from scenegen_core.datasets.matterport_file import House, Thing
 from scenegen_core.datasets.remarks import Report, Skipped
 from scenegen_core.errors import DataError
-from scenegen_core.scene.frames import Floats
+from scenegen_core.scene.geometry import Floats
 
 
 class Label(Struct, frozen=True, forbid_unknown_fields=True):

@@ -18,7 +18,8 @@ from scenegen_core.datasets.contents import Measured
 from scenegen_core.datasets.headset import Block, Panel
 from scenegen_core.datasets.outlines import point_of
 from scenegen_core.errors import SceneError
-from scenegen_core.scene.frames import Floats, unity_to_core
+from scenegen_core.scene.frames import unity_to_core
+from scenegen_core.scene.geometry import Floats
 from scenegen_core.scene.model import Vector3
 
 Pair = tuple[Measured, Measured]

@@ -11,8 +11,8 @@ from shapely import LineString, Polygon
 from shapely import Point as ShapelyPoint
 
 from scenegen_core.errors import DataError
-from scenegen_core.scene.frames import Floats
-from scenegen_core.scene.model import Opening, Point
+from scenegen_core.scene.geometry import Floats
+from scenegen_core.scene.model import Opening, Point, Vector3
 
 NEAR_OUTLINE = 0.5  # metres; what lies further outside was seen through a door or a window
 OUTSIDE = "lies outside of the room; it was seen through an opening"
@@ -23,6 +23,12 @@ Segment = tuple[Point, Point]
 def point_of(position: Sequence[float] | Floats) -> Point:
     """The plan of a position (2 or 3,), to a tenth of a millimetre."""
     return round(float(position[0]), 4), round(float(position[1]), 4)
+
+
+def rounded(values: Iterable[float]) -> Vector3:
+    """A position or a size to a tenth of a millimetre."""
+    x, y, z = (round(float(value), 4) for value in values)
+    return x, y, z
 
 
 def outline_of(walls: Sequence[Segment]) -> tuple[Point, ...]:

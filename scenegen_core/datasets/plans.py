@@ -13,11 +13,11 @@ import numpy as np
 from shapely import LineString, Polygon, get_parts, make_valid, union_all
 from shapely import Point as ShapelyPoint
 
-from scenegen_core.datasets.outlines import point_of
+from scenegen_core.datasets.outlines import point_of, rounded
 from scenegen_core.datasets.remarks import Report, Skipped, usable_openings
 from scenegen_core.errors import SceneError
 from scenegen_core.scene.files import RoomRecord, room_of
-from scenegen_core.scene.frames import Floats
+from scenegen_core.scene.geometry import Floats
 from scenegen_core.scene.model import DEFAULT_HEIGHT, Box, Opening, Point, Room, Scene, Vector3
 
 BESIDE = 0.3  # metres; half of a thick wall: openings in it are that far from the rooms' outlines
@@ -120,13 +120,11 @@ def upright_box(
     axes = np.array([forward, left, (0.0, 0.0, 1.0)])
     along = points @ axes.T
     low, high = along.min(axis=0), along.max(axis=0)
-    x, y, z = rounded((low + high) / 2 @ axes)
-    depth, width, height = rounded(high - low)
     return Box(
         id=box_id,
         category=category,
-        center=(x, y, z),
-        size=(depth, width, height),
+        center=rounded((low + high) / 2 @ axes),
+        size=rounded(high - low),
         heading=heading,
         label=label,
         front_known=front_known,
@@ -138,11 +136,6 @@ def scene_id(path: Path, *parts: str) -> str:
     """The id of a room of a file: the file's name without endings, then what tells its rooms."""
     rest = "".join(f"/{part}" for part in parts)[-LONGEST_PART:]
     return path.name.split(".")[0][: LONGEST_ID - len(rest)] + rest
-
-
-def rounded(values: Iterable[float]) -> tuple[float, ...]:
-    """Numbers to a tenth of a millimetre."""
-    return tuple(round(float(value), 4) for value in values)
 
 
 def _without_loops(corners: Sequence[Point]) -> tuple[Point, ...]:

@@ -19,7 +19,8 @@ from scenegen_core.datasets.contents import Measured
 from scenegen_core.datasets.headset import Block, Panel
 from scenegen_core.datasets.outlines import point_of
 from scenegen_core.errors import DataError
-from scenegen_core.scene.frames import Floats, to_core
+from scenegen_core.scene.frames import to_core
+from scenegen_core.scene.geometry import Floats
 
 
 class XYZ(Struct, frozen=True):

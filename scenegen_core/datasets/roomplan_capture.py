@@ -19,7 +19,8 @@ from msgspec import Struct
 from scenegen_core.datasets.contents import BROKEN_JSON, Measured
 from scenegen_core.datasets.outlines import point_of
 from scenegen_core.errors import SceneError
-from scenegen_core.scene.frames import Floats, to_core
+from scenegen_core.scene.frames import to_core
+from scenegen_core.scene.geometry import Floats
 from scenegen_core.scene.model import Point
 
 SKEW = 0.01  # how far the axes of a matrix may be from unit length and right angles

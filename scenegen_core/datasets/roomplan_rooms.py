@@ -13,7 +13,13 @@ from shapely import Point as ShapelyPoint
 from shapely import Polygon
 
 from scenegen_core.datasets.labels import faces_somewhere
-from scenegen_core.datasets.outlines import NEAR_OUTLINE, on_outline, outline_of, point_of
+from scenegen_core.datasets.outlines import (
+    NEAR_OUTLINE,
+    on_outline,
+    outline_of,
+    point_of,
+    rounded,
+)
 from scenegen_core.datasets.plans import checked_room
 from scenegen_core.datasets.remarks import Report, Skipped, problem_of
 from scenegen_core.datasets.roomplan_capture import (
@@ -27,7 +33,7 @@ from scenegen_core.datasets.roomplan_capture import (
     segment_of,
 )
 from scenegen_core.errors import SceneGenError
-from scenegen_core.scene.model import DEFAULT_HEIGHT, Box, Opening, Room, Vector3
+from scenegen_core.scene.model import DEFAULT_HEIGHT, Box, Opening, Room
 
 STEP = 0.3  # metres; an opening that begins higher is no way through
 STRAIGHT = "without a floor, walls count as straight"
@@ -99,15 +105,15 @@ def with_openings(
 
 def box_of(thing: Thing, category: str, shell: Shell) -> Box:
     """The box of an object; its parent is what holds it, whether or not it stands on that."""
-    x, y, z = (round(float(value), 4) for value in placed(thing, np.zeros(3)))
+    x, y, z = placed(thing, np.zeros(3))
     width, height, depth = thing.dimensions
     front = front_of(thing)
     label = kind_of(thing)
     return Box(
         id=thing.identifier,
         category=category,
-        center=(x, y, round(z - shell.floor, 4)),
-        size=_rounded((depth, width, height)),
+        center=rounded((x, y, z - shell.floor)),
+        size=rounded((depth, width, height)),
         heading=round(atan2(front[1], front[0]), 4),
         label=label[:1].upper() + label[1:],
         front_known=faces_somewhere(category) and not label.startswith("stool"),
@@ -156,8 +162,3 @@ def _openings(things: Iterable[Thing], shell: Shell) -> list[Opening]:
             found.append(Opening(start, end, bottom=bottom, top=top, id=thing.identifier))
     usable = (opening for opening in found if not problem_of(opening))
     return list(on_outline(usable, shell.outline))
-
-
-def _rounded(values: Vector3) -> Vector3:
-    x, y, z = (round(value, 4) for value in values)
-    return x, y, z

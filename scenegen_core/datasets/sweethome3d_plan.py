@@ -8,7 +8,8 @@ from xml.etree.ElementTree import Element
 
 import numpy as np
 
-from scenegen_core.datasets.plans import LONGEST_PART, rounded
+from scenegen_core.datasets.outlines import point_of, rounded
+from scenegen_core.datasets.plans import LONGEST_PART
 from scenegen_core.errors import DataError
 from scenegen_core.scene.frames import heading_of_sweet_home_turn, sweet_home_to_core
 from scenegen_core.scene.model import DEFAULT_HEIGHT, Box, Opening, Point
@@ -26,11 +27,10 @@ def box_of(piece: Element, piece_id: str, category: str) -> Box:
     )
     bottom = number_of(piece, "elevation", 0)
     middle = np.array([number_of(piece, "x"), number_of(piece, "y"), bottom + height / 2])
-    x, y, z = rounded(sweet_home_to_core(middle))
     return Box(
         id=piece_id,
         category=category,
-        center=(x, y, z),
+        center=rounded(sweet_home_to_core(middle)),
         size=(depth / 100, width / 100, height / 100),
         heading=heading_of_sweet_home_turn(number_of(piece, "angle", 0)),
         label=piece.get("name", ""),
@@ -48,10 +48,10 @@ def opening_of(element: Element, opening_id: str) -> Opening:
     in_wall = number_of(element, "wallDistance", 0) + number_of(element, "wallThickness", 1) / 2
     middle = np.array([number_of(element, "x"), number_of(element, "y")])
     middle += into_room * depth * (in_wall - 0.5)
-    (x, y), (u, v) = map(rounded, sweet_home_to_core(np.array([middle - along, middle + along])))
+    start, end = map(point_of, sweet_home_to_core(np.array([middle - along, middle + along])))
     bottom = number_of(element, "elevation", 0) / 100
     top = bottom + number_of(element, "height") / 100
-    return Opening((x, y), (u, v), bottom=bottom, top=top, id=opening_id)
+    return Opening(start, end, bottom=bottom, top=top, id=opening_id)
 
 
 def is_fixed(element: Element) -> bool:
@@ -85,8 +85,7 @@ def room_type_of(name: str) -> str:
 def point_at(element: Element, x: str, y: str) -> Point:
     """The point that two attributes of an element give, metres; DataError if they do not."""
     point = np.array([number_of(element, x), number_of(element, y)])
-    across, up = rounded(sweet_home_to_core(point))
-    return across, up
+    return point_of(sweet_home_to_core(point))
 
 
 def number_of(element: Element, name: str, usual: float | None = None) -> float:

@@ -8,8 +8,9 @@ from typing import Annotated
 import numpy as np
 from msgspec import Meta, Struct
 
-from scenegen_core.datasets.plans import rounded
-from scenegen_core.scene.frames import Floats, heading_of_unity_turn, unity_to_core
+from scenegen_core.datasets.outlines import point_of
+from scenegen_core.scene.frames import heading_of_unity_turn, unity_to_core
+from scenegen_core.scene.geometry import Floats
 from scenegen_core.scene.model import PAPER_CATEGORIES, Point, Symmetry
 
 SOURCE = "thor"
@@ -33,8 +34,7 @@ def vector_of(value: XYZ) -> Floats:
 
 def plan_of(value: XYZ) -> Point:
     """The point of the plan under a position."""
-    x, y, _ = rounded(unity_to_core(vector_of(value)))
-    return x, y
+    return point_of(unity_to_core(vector_of(value)))
 
 
 def heading_of(rotation: XYZ) -> float:

@@ -30,7 +30,8 @@ from scenegen_core.datasets.remarks import Report, Skipped, usable_boxes
 from scenegen_core.datasets.thor import FACES_SOMEWHERE, SOURCE, heading_of
 from scenegen_core.datasets.thor_metadata_file import Thing, rooms, things_of
 from scenegen_core.errors import SceneError
-from scenegen_core.scene.frames import Floats, unity_to_core
+from scenegen_core.scene.frames import unity_to_core
+from scenegen_core.scene.geometry import Floats
 from scenegen_core.scene.model import PAPER_CATEGORIES, Box, Opening, Room, Scene, Symmetry
 
 FIRST = 20_000  # bytes of a list of rooms that show what they are: its first objects

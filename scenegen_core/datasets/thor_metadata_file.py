@@ -14,7 +14,7 @@ from scenegen_core.datasets.plans import LONGEST_ID, scene_id
 from scenegen_core.datasets.remarks import Report, Skipped
 from scenegen_core.datasets.thor import XYZ, Measure
 from scenegen_core.errors import DataError, SceneError
-from scenegen_core.scene.frames import Floats
+from scenegen_core.scene.geometry import Floats
 
 KINDS = {0: "kitchen", 2: "living room", 3: "bedroom", 4: "bathroom"}  # by hundreds of FloorPlan312
 
