@@ -109,6 +109,6 @@ function line(relation: string): TemplateResult {
   const { color, dash } = relationLook(relation);
   const pattern = dash === undefined ? nothing : dash.map((length) => length * PIXELS).join(" ");
   return html`<svg class="line" viewBox="0 0 32 8" aria-hidden="true">
-    <path d="M1 4h30" style="--relation: ${color}" stroke-dasharray=${pattern} />
+    <path d="M1 4h30" stroke=${color} stroke-dasharray=${pattern} />
   </svg>`;
 }

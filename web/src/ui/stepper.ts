@@ -7,18 +7,33 @@ import type { Page } from "./page";
 import { verdictOf } from "./reasons";
 import { ended } from "./words";
 
-export function stepper(page: Page, placing: Placing): TemplateResult | typeof nothing {
+export function stepper(page: Page, placing: Placing): TemplateResult {
   const places = placing.answer?.placements ?? [];
-  if (placing.mode === "manual" || places.length === 0) return nothing;
   const at = places.findIndex(({ rank }) => rank === placing.alternative);
   const step = (by: number) => (): void => {
     const next = places[(Math.max(at, by < 0 ? 0 : -1) + by + places.length) % places.length];
     if (next !== undefined) page.dispatch({ type: "show-alternative", rank: next.rank });
   };
-  const words = shownRefusal(page.state) ?? verdictOf(placing)?.sentence ?? "A place of your own.";
+  const choosing = placing.mode === "scenegen" && places.length > 0;
   return html`<div class="stepper phone-only" role="group" aria-label="Place after place">
-    ${iconButton({ icon: "before", label: "The place before", run: step(-1) })}
-    <p><b>${at < 0 ? "Your own place" : `Place ${at + 1} of ${places.length}`}</b>${ended(words)}</p>
-    ${iconButton({ icon: "next", label: "The next place", run: step(1) })}
+    ${choosing ? iconButton({ icon: "before", label: "The place before", run: step(-1) }) : nothing}
+    <p>
+      ${choosing ? html`<b>${at < 0 ? "Your own place" : `Place ${at + 1} of ${places.length}`}</b>` : nothing}
+      ${ended(wordsOf(page, placing))}
+    </p>
+    ${choosing ? iconButton({ icon: "next", label: "The next place", run: step(1) }) : nothing}
   </div>`;
+}
+
+/** How things stand with the place, in one sentence. */
+function wordsOf({ state }: Page, placing: Placing): string {
+  const refusal = placing.problem ?? shownRefusal(state);
+  if (refusal !== null) return refusal;
+  if (placing.mode === "manual") return "Drag it to where you want it.";
+  const none = placing.answer?.placements.length === 0 ? placing.answer.no_good_place : null;
+  if (none) return none.text;
+  if (placing.answer !== null) return verdictOf(placing)?.sentence ?? "Looking at this place…";
+  return state.connection.status === "offline"
+    ? "Good places come when the connection is back."
+    : "Looking for good places…";
 }

@@ -3,6 +3,7 @@ import { draftBox } from "../model/drawing";
 import { angleOf, direction, leftOf, type Segment, scale, subtract } from "../model/geometry";
 import type { Draft, Point, State, Vector3 } from "../model/state";
 import { BoxLines } from "./box_lines";
+import type { LabelBox } from "./label_layout";
 import { notesOf } from "./measures";
 import { Notes } from "./notes";
 import { ACCENT, type Look } from "./palette";
@@ -21,10 +22,13 @@ export class DraftView implements Part {
   readonly #guides = new Strokes({ color: "#e6399b", width: 1.25 });
   readonly #box = new BoxLines();
   readonly #notes = new Notes();
+  readonly #taken: readonly LabelBox[];
   #look: Look;
 
-  constructor(look: Look) {
+  /** `taken` is where the handles are, which lengths make way for. */
+  constructor(look: Look, taken: readonly LabelBox[]) {
     this.#look = look;
+    this.#taken = taken;
     this.root.add(
       this.#outline.root,
       this.#band.root,
@@ -54,7 +58,7 @@ export class DraftView implements Part {
   }
 
   update(eye: Eye): boolean {
-    this.#notes.fit(eye);
+    this.#notes.fit(eye, this.#taken);
     return false;
   }
 

@@ -108,6 +108,9 @@ function onFloor(position: Vector3, target: Vector3, direction: Vector3): Viewpo
   };
 }
 
+/** The sine below which a wall's top adds nothing to the outline of the room. */
+const EDGEWAYS = 0.1;
+
 /** The corners of the floor, and the tops of the walls that are not in the way. */
 function silhouette(room: RoomRecord, direction: Vector3): Vector3[] {
   const flat = Math.hypot(direction[0], direction[1]) || 1;
@@ -116,7 +119,7 @@ function silhouette(room: RoomRecord, direction: Vector3): Vector3[] {
     const out = (wall.outward[0] * direction[0] + wall.outward[1] * direction[1]) / flat;
     const ends = [onWall(wall, 0, 0, 0), onWall(wall, wall.length, 0, 0)];
     const tops = ends.map(([x, y]): Vector3 => [x, y, room.height]);
-    return out < -SIDEWAYS ? [...ends, ...tops] : ends;
+    return out < -EDGEWAYS ? [...ends, ...tops] : ends;
   });
 }
 

@@ -7,15 +7,16 @@ import {
   Sprite,
   SpriteMaterial,
   SRGBColorSpace,
-  Vector3,
 } from "three";
 import { bottomOf } from "../model/footprints";
 import { GHOST, ghostBox } from "../model/ghost";
 import type { State } from "../model/state";
 import type { BoxRecord } from "../net/protocol.gen";
 import { type Spot, spotsOf, TURN_GAP } from "./handle_spots";
+import type { LabelBox } from "./label_layout";
 import { ACCENT } from "./palette";
-import { type Eye, metersPerPixel, type Part } from "./part";
+import type { Eye, Part } from "./part";
+import { locate } from "./sprite_labels";
 
 const KNOB = 26; // CSS pixels seen; 44 can be touched
 const DENSITY = 3; // canvas pixels per CSS pixel
@@ -27,8 +28,9 @@ type Kind = Spot["kind"];
 export class HandlesView implements Part {
   readonly root = new Group();
   readonly #materials = new Map<Kind, SpriteMaterial>();
+  /** Where the knobs are on the screen; always the same list. */
+  readonly boxes: LabelBox[] = [];
   readonly #knobs: Sprite[] = [];
-  readonly #world = new Vector3();
   readonly #ringMaterial = new MeshBasicMaterial({
     color: ACCENT,
     transparent: true,
@@ -52,6 +54,7 @@ export class HandlesView implements Part {
       const knob = new Sprite();
       knob.renderOrder = 21;
       this.#knobs.push(knob);
+      this.boxes.push({ x: 0, y: 0, width: KNOB, height: KNOB, shown: true });
       this.root.add(knob);
     }
     this.#knobs.forEach((knob, i) => {
@@ -68,9 +71,12 @@ export class HandlesView implements Part {
   }
 
   update(eye: Eye): boolean {
-    for (const knob of this.#knobs) {
-      if (knob.visible) {
-        const scale = KNOB * metersPerPixel(eye, knob.getWorldPosition(this.#world));
+    for (let i = 0; i < this.#knobs.length; i++) {
+      const knob = this.#knobs[i];
+      const box = this.boxes[i];
+      if (knob && box) {
+        box.shown = knob.visible;
+        const scale = KNOB * locate(box, knob, eye);
         knob.scale.set(scale, scale, 1);
       }
     }

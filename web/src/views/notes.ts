@@ -1,6 +1,6 @@
 import { Group } from "three";
 import type { Vector3 } from "../model/state";
-import { hideOverlaps } from "./label_layout";
+import { hideOverlaps, type LabelBox } from "./label_layout";
 import type { Eye } from "./part";
 import { layOut, type SpriteLabel, spriteLabel } from "./sprite_labels";
 import type { TextLook } from "./text_sprite";
@@ -33,11 +33,12 @@ export class Notes {
     this.#shown = this.#labels.slice(0, notes.length);
   }
 
-  fit(eye: Eye): void {
+  /** `taken` is where other things are, which notes make way for. */
+  fit(eye: Eye, taken?: readonly LabelBox[]): void {
     for (const label of this.#shown) {
       layOut(label, eye);
     }
-    hideOverlaps(this.#shown);
+    hideOverlaps(this.#shown, taken);
     for (const { sprite, shown } of this.#shown) {
       sprite.visible = shown;
     }

@@ -48,9 +48,10 @@ export class Scenery implements Part {
     const alternatives = new AlternativesView(look);
     const labels = new LabelsView(look, alternatives.numbers);
     const probe = new ProbeView(look);
+    const handles = new HandlesView();
     const veil = new Veil(look);
     this.#furniture = new FurnitureView(this.#solids);
-    this.#draft = new DraftView(look);
+    this.#draft = new DraftView(look, handles.boxes);
     this.#graph = new GraphView(look);
     this.#parts = [
       lights,
@@ -61,8 +62,8 @@ export class Scenery implements Part {
       new GhostView(this.#solids),
       labels,
       this.#graph,
+      handles,
       this.#draft,
-      new HandlesView(),
       veil,
       probe,
     ];

@@ -1,4 +1,4 @@
-import { Vector3 } from "three";
+import { type Object3D, Vector3 } from "three";
 import type { LabelBox } from "./label_layout";
 import { type Eye, metersPerPixel } from "./part";
 import { TextSprite } from "./text_sprite";
@@ -17,15 +17,21 @@ export function spriteLabel(): SpriteLabel {
 /** Fits the sprite to the eye, and notes where on the screen it is. */
 export function layOut(label: SpriteLabel, eye: Eye): void {
   const { sprite } = label;
-  sprite.getWorldPosition(place);
+  label.width = sprite.extent.width;
+  label.height = sprite.extent.height;
+  const scale = locate(label, sprite, eye);
+  sprite.scale.set(label.width * scale, label.height * scale, 1);
+}
+
+/** Notes where on the screen the middle of something is; how many metres a pixel is there. */
+export function locate(box: LabelBox, thing: Object3D, eye: Eye): number {
+  thing.getWorldPosition(place);
   const scale = metersPerPixel(eye, place);
   place.project(eye.camera);
   // Half the height of the picture is one unit of y; x is stretched by the shape of the picture.
   const projection = eye.camera.projectionMatrix.elements;
   const stretch = (projection[5] ?? 1) / (projection[0] ?? 1);
-  label.x = (place.x * stretch * eye.pixels) / 2;
-  label.y = (place.y * eye.pixels) / 2;
-  label.width = sprite.extent.width;
-  label.height = sprite.extent.height;
-  sprite.scale.set(label.width * scale, label.height * scale, 1);
+  box.x = (place.x * stretch * eye.pixels) / 2;
+  box.y = (place.y * eye.pixels) / 2;
+  return scale;
 }

@@ -188,6 +188,9 @@ export class Stage implements StageView {
     const { signal } = this.#listening;
     window.addEventListener("resize", () => this.#resize(), { signal });
     this.#dark.addEventListener("change", () => this.#relight(this.#look()), { signal });
+    // Keys that act on the room give it the focus too; only who came by Tab needs to see that.
+    canvas.addEventListener("keyup", ({ key }) => mark(canvas, key === "Tab"), { signal });
+    canvas.addEventListener("blur", () => mark(canvas, false), { signal });
     canvas.addEventListener("webglcontextlost", (event) => event.preventDefault(), { signal });
     canvas.addEventListener("webglcontextrestored", () => this.#restore(), { signal });
   }
@@ -224,6 +227,10 @@ export class Stage implements StageView {
     this.#cameras.setInsets(insetsOf(document.documentElement));
     this.invalidate();
   }
+}
+
+function mark(canvas: HTMLCanvasElement, tabbed: boolean): void {
+  canvas.toggleAttribute("data-tabbed", tabbed);
 }
 
 function createRenderer(): WebGLRenderer {

@@ -88,7 +88,14 @@ export class TextSprite extends Sprite {
     }
     drawText(context, text, look, font, (width - chip) / 2 + chip, height / 2);
     if (look.chip) {
-      drawChip(context, look.chip, padding + look.size * 0.3, height / 2, look.size * 0.36);
+      drawChip(
+        context,
+        look.chip,
+        look.color,
+        padding + look.size * 0.3,
+        height / 2,
+        look.size * 0.36,
+      );
     }
     this.#upload();
   }
@@ -123,15 +130,17 @@ function drawText(
 function drawChip(
   context: CanvasRenderingContext2D,
   color: string,
+  line: string,
   x: number,
   y: number,
   radius: number,
 ): void {
   context.fillStyle = color;
-  context.strokeStyle = "rgba(0, 0, 0, 0.35)";
+  context.strokeStyle = line;
   context.lineWidth = 0.75;
   context.beginPath();
   context.arc(x, y, radius, 0, 2 * Math.PI);
   context.fill();
+  context.globalAlpha = 0.5;
   context.stroke();
 }

@@ -1,6 +1,7 @@
 import { type PerspectiveCamera, Vector3 } from "three";
 import { toPage } from "../model/frames";
 import type { Point } from "../model/state";
+import { CORE_IN_PAGE } from "./axes";
 
 export const EYE_HEIGHT = 1.6; // metres
 const SPEED = 1.6; // metres a second, a calm walk
@@ -65,11 +66,11 @@ export class Walk {
       left += STEPS[code]?.[1] ?? 0;
     }
     const length = Math.hypot(ahead, left) || 1;
-    const step = (SPEED * elapsed) / length;
-    const [cos, sin] = [Math.cos(this.#heading), Math.sin(this.#heading)];
-    const [x, , z] = toPage([ahead * cos - left * sin, ahead * sin + left * cos, 0]);
-    this.#camera.position.x += x * step;
-    this.#camera.position.z += z * step;
+    const cos = Math.cos(this.#heading);
+    const sin = Math.sin(this.#heading);
+    this.#ahead.set(ahead * cos - left * sin, ahead * sin + left * cos, 0);
+    this.#ahead.applyMatrix4(CORE_IN_PAGE);
+    this.#camera.position.addScaledVector(this.#ahead, (SPEED * elapsed) / length);
     this.#aim();
     return true;
   }
@@ -79,14 +80,13 @@ export class Walk {
   }
 
   #aim(): void {
-    const { position } = this.#camera;
     const flat = Math.cos(this.#pitch);
-    const [x, y, z] = toPage([
+    this.#ahead.set(
       Math.cos(this.#heading) * flat,
       Math.sin(this.#heading) * flat,
       Math.sin(this.#pitch),
-    ]);
-    this.#camera.lookAt(this.#ahead.set(position.x + x, position.y + y, position.z + z));
+    );
+    this.#camera.lookAt(this.#ahead.applyMatrix4(CORE_IN_PAGE).add(this.#camera.position));
   }
 
   #grab(event: PointerEvent): void {
