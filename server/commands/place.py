@@ -190,4 +190,4 @@ def _write(path: Path, content: bytes) -> None:
         path.write_bytes(content)
     except OSError as error:
         raise SceneError(f"{path} cannot be written: {error.strerror}; choose another.") from None
-    print(f"saved {path}", file=sys.stderr)
+    print(f"Saved {path}.", file=sys.stderr)

@@ -155,7 +155,7 @@ def test_it_saves_a_picture_of_the_heat_map(
         assert image.format == "PNG"
         assert min(image.size) > 200
         assert len(image.convert("RGB").getcolors(1 << 20) or ()) > 20  # a scale, not just lines
-    assert f"saved {picture}" in capsys.readouterr().err
+    assert f"Saved {picture}." in capsys.readouterr().err
 
 
 def test_it_saves_the_furnished_room_as_a_model(
