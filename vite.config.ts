@@ -1,7 +1,7 @@
 import { defineConfig } from "vitest/config";
 
 const SERVER = "http://localhost:8000";
-const SERVED_BY_PYTHON = ["/rooms", "/assets", "/scenes", "/export"];
+const SERVED_BY_PYTHON = ["/rooms", "/assets", "/scenes", "/export", "/knowledge.json"];
 
 export default defineConfig({
   root: "web",

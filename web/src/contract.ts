@@ -1,4 +1,5 @@
 /** What the parts of the page promise one another. */
+import type { KnowledgeMarginals } from "./model/knowledge";
 import type { Point, State } from "./model/state";
 
 /** A part of the page that shows the state; it owns what it makes and gives it back. */
@@ -23,6 +24,8 @@ export interface Services {
   openRoom(id: string): Promise<void>;
   exportRoom(): Promise<void>;
   exportHeatMap(): Promise<void>;
+  /** What is known of each category; null when the server cannot be reached. */
+  fetchKnowledge(): Promise<KnowledgeMarginals | null>;
   shareUrl(): string;
 }
 

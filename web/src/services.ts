@@ -1,6 +1,7 @@
 /** What the panels can have done: files in and out, rooms by name, pictures, a link. */
 import type { Services, StageView } from "./contract";
 import { sceneOf } from "./memory";
+import type { KnowledgeMarginals } from "./model/knowledge";
 import type { SceneRecord } from "./net/protocol.gen";
 import { queryOf } from "./net/questions";
 import { fileProblem } from "./room_files";
@@ -54,6 +55,15 @@ export function createServices(store: Store, stage: Pick<StageView, "viewPoint">
       if (placing === null) return problem("Choose something to place first.");
       const body = { scene: sceneNow(), query: queryOf(placing) };
       await download("/export/heat-map.png", body, `${fileName(sceneNow())}-map.png`);
+    },
+
+    async fetchKnowledge() {
+      try {
+        const response = await fetch("/knowledge.json");
+        return response.ok ? ((await response.json()) as KnowledgeMarginals) : null;
+      } catch {
+        return null;
+      }
     },
 
     shareUrl() {

@@ -30,6 +30,7 @@ export function sitDown(initial: State): Desk {
     openRoom: async () => {},
     exportRoom: async () => {},
     exportHeatMap: async () => {},
+    fetchKnowledge: async () => null,
     shareUrl: () => "http://localhost:8000/",
   };
   function dispatch(action: Action): void {

@@ -1,7 +1,8 @@
 /** The help: all keys, from the table that makes them work, and all gestures. */
 import { html, type TemplateResult } from "lit";
-import { iconButton } from "./controls";
+import { button, iconButton } from "./controls";
 import { KEYS, type KeyGroup } from "./keyboard";
+import { categoryAtHand, openKnowledge } from "./knowledge";
 import type { Page } from "./page";
 
 const GROUPS: readonly KeyGroup[] = ["Place", "Move", "Draw", "Look", "Always"];
@@ -15,7 +16,12 @@ const GESTURES: readonly { gesture: string; words: string }[] = [
   { gesture: "Drag the see-through thing", words: "Try another place and read why" },
 ];
 
-export function help({ state, dispatch }: Page): TemplateResult {
+export function help(page: Page): TemplateResult {
+  const { state, dispatch } = page;
+  const showKnowledge = (): void => {
+    dispatch({ type: "toggle-help" });
+    openKnowledge(page, categoryAtHand(page));
+  };
   return html`<dialog
     class="help"
     aria-labelledby="help-title"
@@ -31,6 +37,7 @@ export function help({ state, dispatch }: Page): TemplateResult {
       SceneGen shows where a piece of furniture would go in a room like yours, which way it should
       face, and why. Pick something; the bright floor is where people put it.
     </p>
+    ${button({ icon: "info", label: "What does it know?", keys: "K", run: showKnowledge })}
     <div class="columns">
       ${GROUPS.map(
         (group) => html`<div>

@@ -11,6 +11,7 @@ import {
   switchMode,
   turn,
 } from "./key_actions";
+import { categoryAtHand, openKnowledge } from "./knowledge";
 import type { Page } from "./page";
 
 export type KeyGroup = "Draw" | "Place" | "Move" | "Look" | "Always";
@@ -93,6 +94,13 @@ export const KEYS: readonly KeyBinding[] = [
       const next = { orbit: "top", top: "walk", walk: "orbit" } as const;
       dispatch({ type: "set-camera", camera: next[state.shown.camera] });
     }),
+  },
+  {
+    keys: ["k"],
+    label: "K",
+    group: "Look",
+    words: "What it knows about a kind of furniture",
+    run: always((page) => openKnowledge(page, categoryAtHand(page))),
   },
   {
     keys: ["mod+z"],

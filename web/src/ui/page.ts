@@ -1,5 +1,6 @@
 /** What a panel is given: the state, how to change it, and what only the panels need to know. */
 import type { Services } from "../contract";
+import type { KnowledgeMarginals } from "../model/knowledge";
 import type { Action, Mode, Point, State, Vector3 } from "../model/state";
 import type { SceneRecord } from "../net/protocol.gen";
 
@@ -30,6 +31,10 @@ export interface Local {
   readonly plans: Readonly<Record<string, SceneRecord>>;
   /** Where the keyboard draws, core frame, metres. */
   readonly crosshair: Point | null;
+  /** The category whose knowledge is shown; null while none is. */
+  readonly knowledgeOf: string | null;
+  /** What is known of all categories, once it was asked for. */
+  readonly knowledge: KnowledgeMarginals | "loading" | "out of reach" | null;
 }
 
 export const INITIAL_LOCAL: Local = {
@@ -40,6 +45,8 @@ export const INITIAL_LOCAL: Local = {
   placed: null,
   plans: {},
   crosshair: null,
+  knowledgeOf: null,
+  knowledge: null,
 };
 
 export interface Page {

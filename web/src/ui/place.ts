@@ -7,6 +7,7 @@ import { formatSize } from "../model/units";
 import { chips, placeable } from "./categories";
 import { button, lengthField, section } from "./controls";
 import { icon } from "./icons";
+import { knowledgeButton } from "./knowledge";
 import type { Page } from "./page";
 import { places } from "./places";
 import { ended, inSentence } from "./words";
@@ -31,7 +32,7 @@ export function placePanel(page: Page): TemplateResult {
         },
       )}
       ${modeSwitch(page)}
-      ${placing === null ? nothing : html`${places(page, placing)} ${size(page, placing)} ${items(page, placing)}`}
+      ${placing === null ? nothing : html`${places(page, placing)} ${size(page, placing)} ${items(page, placing)} ${knowledgeButton(page, placing.category)}`}
     `,
     "place",
   );

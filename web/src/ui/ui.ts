@@ -10,6 +10,7 @@ import { header } from "./header";
 import { help } from "./help";
 import { createInsets } from "./insets";
 import { press } from "./keyboard";
+import { knowledgeDialog } from "./knowledge";
 import { layers, layersPanel } from "./layers";
 import { follow } from "./local";
 import { objectList } from "./objects";
@@ -44,7 +45,8 @@ export function mountUi(element: HTMLElement, dispatch: Dispatch, services: Serv
     render(panels(pageOf(state)), element);
     // What had the focus is gone: the panel takes it, so that Tab goes on from there.
     if (focused && document.activeElement === document.body) panel()?.focus();
-    syncHelp(element, state.help);
+    syncDialog(element, "help", state.help);
+    syncDialog(element, "knowledge", local.knowledgeOf !== null);
     if (topic !== topicOf(state)) element.querySelector(".parts")?.scrollTo(0, 0);
     topic = topicOf(state);
     insets.watch();
@@ -97,7 +99,7 @@ export function panels(page: Page): TemplateResult {
       </div>
       ${decision(page)}
     </aside>
-    ${help(page)}
+    ${help(page)} ${knowledgeDialog(page)}
   `;
 }
 
@@ -119,8 +121,8 @@ function topicOf({ tool, placing, selection }: State): string {
   return JSON.stringify([tool, placing?.category, selection]);
 }
 
-function syncHelp(element: HTMLElement, open: boolean): void {
-  const dialog = element.querySelector<HTMLDialogElement>("dialog.help");
+function syncDialog(element: HTMLElement, name: string, open: boolean): void {
+  const dialog = element.querySelector<HTMLDialogElement>(`dialog.${name}`);
   if (dialog === null || dialog.open === open) return;
   if (open) dialog.showModal();
   else dialog.close();
