@@ -22,7 +22,7 @@ describe("labels on the screen", () => {
 
   it("give way to what is there already", () => {
     const names = [label(0, 0), label(100, 0)];
-    hideOverlaps(names, [label(110, 5)]);
+    hideOverlaps(names, [[label(110, 5)]]);
     expect(names.map((one) => one.shown)).toEqual([true, false]);
   });
 

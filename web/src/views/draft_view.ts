@@ -22,11 +22,11 @@ export class DraftView implements Part {
   readonly #guides = new Strokes({ color: "#e6399b", width: 1.25 });
   readonly #box = new BoxLines();
   readonly #notes = new Notes();
-  readonly #taken: readonly LabelBox[];
+  readonly #taken: readonly (readonly LabelBox[])[];
   #look: Look;
 
   /** `taken` is where the handles are, which lengths make way for. */
-  constructor(look: Look, taken: readonly LabelBox[]) {
+  constructor(look: Look, taken: readonly (readonly LabelBox[])[]) {
     this.#look = look;
     this.#taken = taken;
     this.root.add(

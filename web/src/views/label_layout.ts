@@ -10,18 +10,28 @@ export interface LabelBox {
 
 const GAP = 3; // pixels between labels
 
-const NONE: readonly LabelBox[] = [];
+const NOTHING: readonly (readonly LabelBox[])[] = [];
 
-/**
- * Shows each label that covers none shown before it, nor one of `taken`; in place.
- */
-export function hideOverlaps(labels: readonly LabelBox[], taken: readonly LabelBox[] = NONE): void {
+/** Shows each label that covers none shown before it, nor one in any list of `taken`; in place. */
+export function hideOverlaps(
+  labels: readonly LabelBox[],
+  taken: readonly (readonly LabelBox[])[] = NOTHING,
+): void {
   for (let i = 0; i < labels.length; i++) {
     const label = labels[i];
     if (label) {
-      label.shown = !coversOne(label, labels, i) && !coversOne(label, taken, taken.length);
+      label.shown = !coversOne(label, labels, i) && !coversAny(label, taken);
     }
   }
+}
+
+function coversAny(label: LabelBox, lists: readonly (readonly LabelBox[])[]): boolean {
+  for (const list of lists) {
+    if (coversOne(label, list, list.length)) {
+      return true;
+    }
+  }
+  return false;
 }
 
 /** Whether the label covers one that is shown, of the first `count`. */

@@ -13,7 +13,7 @@ const ABOVE = 0.12; // metres over the top
 export class LabelsView implements Part {
   readonly root = new Group();
   readonly #labels = new Map<string, SpriteLabel>();
-  readonly #taken: readonly LabelBox[];
+  readonly #taken: readonly (readonly LabelBox[])[];
   #order: SpriteLabel[] = [];
   #look: Look;
   #boxes: readonly BoxRecord[] | null = null;
@@ -21,7 +21,7 @@ export class LabelsView implements Part {
   #on = false;
 
   /** `taken` is where other texts are, which names make way for. */
-  constructor(look: Look, taken: readonly LabelBox[]) {
+  constructor(look: Look, taken: readonly (readonly LabelBox[])[]) {
     this.#look = look;
     this.#taken = taken;
   }

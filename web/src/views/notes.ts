@@ -34,7 +34,7 @@ export class Notes {
   }
 
   /** `taken` is where other things are, which notes make way for. */
-  fit(eye: Eye, taken?: readonly LabelBox[]): void {
+  fit(eye: Eye, taken?: readonly (readonly LabelBox[])[]): void {
     for (const label of this.#shown) {
       layOut(label, eye);
     }

@@ -45,13 +45,13 @@ export class Scenery implements Part {
     });
     const lights = new Lights(look);
     const room = new RoomView(look);
-    const alternatives = new AlternativesView(look);
-    const labels = new LabelsView(look, alternatives.numbers);
-    const probe = new ProbeView(look);
     const handles = new HandlesView();
+    const alternatives = new AlternativesView(look);
+    const labels = new LabelsView(look, [alternatives.numbers, handles.boxes]);
+    const probe = new ProbeView(look);
     const veil = new Veil(look);
     this.#furniture = new FurnitureView(this.#solids);
-    this.#draft = new DraftView(look, handles.boxes);
+    this.#draft = new DraftView(look, [handles.boxes]);
     this.#graph = new GraphView(look);
     this.#parts = [
       lights,
@@ -60,9 +60,9 @@ export class Scenery implements Part {
       new HeatView(),
       alternatives,
       new GhostView(this.#solids),
+      handles,
       labels,
       this.#graph,
-      handles,
       this.#draft,
       veil,
       probe,
