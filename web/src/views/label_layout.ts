@@ -10,7 +10,7 @@ export interface LabelBox {
 
 const GAP = 3; // pixels between labels
 
-const NOTHING: readonly (readonly LabelBox[])[] = [];
+export const NOTHING: readonly (readonly LabelBox[])[] = [];
 
 /** Shows each label that covers none shown before it, nor one in any list of `taken`; in place. */
 export function hideOverlaps(
@@ -25,7 +25,8 @@ export function hideOverlaps(
   }
 }
 
-function coversAny(label: LabelBox, lists: readonly (readonly LabelBox[])[]): boolean {
+/** Whether the label covers one that is shown in any of the lists. */
+export function coversAny(label: LabelBox, lists: readonly (readonly LabelBox[])[]): boolean {
   for (const list of lists) {
     if (coversOne(label, list, list.length)) {
       return true;

@@ -1,6 +1,6 @@
 import { Group } from "three";
 import type { Vector3 } from "../model/state";
-import { hideOverlaps, type LabelBox } from "./label_layout";
+import { coversAny, coversOne, type LabelBox, NOTHING } from "./label_layout";
 import type { Eye } from "./part";
 import { layOut, type SpriteLabel, spriteLabel } from "./sprite_labels";
 import type { TextLook } from "./text_sprite";
@@ -9,6 +9,17 @@ export interface Note {
   readonly text: string;
   readonly at: Vector3;
 }
+
+/** Where a text goes that has no room at its place, in its widths and heights; the first first. */
+const ASIDE = [
+  [0, 0],
+  [0, 1.2],
+  [0, -1.2],
+  [0.8, 0],
+  [-0.8, 0],
+  [0.8, 1.2],
+  [-0.8, 1.2],
+] as const;
 
 /** Short texts at places of the room, the first ones first where they would cover one another. */
 export class Notes {
@@ -34,14 +45,30 @@ export class Notes {
   }
 
   /** `taken` is where other things are, which notes make way for. */
-  fit(eye: Eye, taken?: readonly (readonly LabelBox[])[]): void {
-    for (const label of this.#shown) {
-      layOut(label, eye);
+  fit(eye: Eye, taken: readonly (readonly LabelBox[])[] = NOTHING): void {
+    for (let i = 0; i < this.#shown.length; i++) {
+      const label = this.#shown[i];
+      if (label) {
+        layOut(label, eye);
+        label.sprite.visible = this.#settle(label, i, taken);
+      }
     }
-    hideOverlaps(this.#shown, taken);
-    for (const { sprite, shown } of this.#shown) {
-      sprite.visible = shown;
+  }
+
+  /** Moves the text aside until it covers nothing; false if it has to go. */
+  #settle(label: SpriteLabel, before: number, taken: readonly (readonly LabelBox[])[]): boolean {
+    const { x, y } = label;
+    for (const [right, up] of ASIDE) {
+      label.x = x + right * label.width;
+      label.y = y + up * label.height;
+      if (!coversOne(label, this.#shown, before) && !coversAny(label, taken)) {
+        label.sprite.center.set(0.5 - right, 0.5 - up);
+        label.shown = true;
+        return true;
+      }
     }
+    label.shown = false;
+    return false;
   }
 
   dispose(): void {
