@@ -107,11 +107,11 @@ def main() -> None:
     options = parser.parse_args()
     options.rooms.mkdir(parents=True, exist_ok=True)
     for stem, (name, _) in ROOMS.items():
-        scene_id = f"scan-{stem.replace('_', '-')}"  # sample rooms have ids of the same kind
+        scan_id = f"scan-{stem.replace('_', '-')}"  # sample rooms have ids of the same kind
         left_out: list[Remark] = []
         (scan,) = read_scenes(options.captures / f"{stem}.json", left_out.append)
-        scan = replace(scan, id=scene_id)
-        (options.rooms / f"{scene_id}.json").write_bytes(write_scene(scan))
+        scan = replace(scan, id=scan_id)
+        (options.rooms / f"{scan_id}.json").write_bytes(write_scene(scan))
         sys.stdout.write(f"{name}: {len(scan.boxes)} boxes, left out {len(left_out)}\n")
 
 

@@ -185,3 +185,5 @@ RELATIONS: tuple[Relation, ...] = (
     NEXT_TO,
 )
 """All relations of the paper; RP belongs to both feature vectors."""
+
+BY_SHORT = {relation.short: relation for relation in RELATIONS}

@@ -17,11 +17,11 @@ from scenegen_core.graph.candidates import Candidates
 from scenegen_core.graph.relations import (
     AVERAGE_DISTANCE,
     AWAY_FROM_WALL,
+    BY_SHORT,
     DIRECTION_SIMILARITY,
     FACING,
     NEARBY,
     NEXT_TO,
-    RELATIONS,
     ROOM_POSITION,
     SUPPORT,
     SURROUNDED_BY,
@@ -49,7 +49,6 @@ FOR_ALL: tuple[Relation, ...] = (ROOM_POSITION, AVERAGE_DISTANCE, SURROUNDED_BY,
 FOR_FRONTS: tuple[Relation, ...] = (TOWARDS_CENTER, AWAY_FROM_WALL, FACING, NEXT_TO)
 """Only for things with a front (paper, "Orientation Relationships")."""
 BETWEEN_BOXES = (AVERAGE_DISTANCE, SUPPORT, FACING, NEXT_TO)
-BY_SHORT = {relation.short: relation for relation in RELATIONS}
 
 
 @dataclass(frozen=True, slots=True)

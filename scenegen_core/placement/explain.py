@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from scenegen_core.graph.candidates import Candidates
-from scenegen_core.graph.relations import RELATIONS
+from scenegen_core.graph.relations import BY_SHORT
 from scenegen_core.graph.situation import Situation
 from scenegen_core.graph.surroundings import Surroundings
 from scenegen_core.placement.answer import Reason
@@ -20,7 +20,6 @@ REFERENCES = 500  # poses that stand for all possible ones of a room
 ROOMS_NAMED = 3
 NEGLIGIBLE = 1e-9  # nats; below that a relation says nothing
 
-NAMES = {relation.short: relation.name for relation in RELATIONS}
 AGREEMENT = "Agreement"
 """What is left of a density after its columns: how many known rooms share the word."""
 
@@ -62,7 +61,7 @@ class Explainer:
                 values[column.relation, column.group] = float(value)
             total[AGREEMENT, ""] += float(above[-1])
         reasons = [
-            Reason(NAMES.get(relation, relation), group, part, self._text(relation, group, values))
+            Reason(_name(relation), group, part, self._text(relation, group, values))
             for (relation, group), part in total.items()
             if abs(part) > NEGLIGIBLE
         ]
@@ -75,6 +74,11 @@ class Explainer:
             return "how many known rooms agree"
         members = self._members.get(group, [])
         return reason_text(relation, group, values[relation, group], members)
+
+
+def _name(relation: str) -> str:
+    """The whole name of what a reason is about."""
+    return AGREEMENT if relation == AGREEMENT else BY_SHORT[relation].name
 
 
 def _parts(share: Share) -> Floats:

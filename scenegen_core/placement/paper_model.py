@@ -11,14 +11,12 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from scenegen_core.graph.relations import RELATIONS, Column, measure
+from scenegen_core.graph.relations import BY_SHORT, Column, measure
 from scenegen_core.graph.situation import Situation
 from scenegen_core.knowledge.density import Terms
 from scenegen_core.knowledge.knowledge import ORIENTATION, POSITION, Knowledge, Prior
 from scenegen_core.scene.geometry import Floats
 from scenegen_core.scene.model import Symmetry
-
-BY_SHORT = {relation.short: relation for relation in RELATIONS}
 
 
 @dataclass(frozen=True, slots=True)
