@@ -23,6 +23,7 @@ from scenegen_core.scene.model import DEFAULT_HEIGHT, Box, Opening, Point, Room,
 BESIDE = 0.3  # metres; half of a thick wall: openings in it are that far from the rooms' outlines
 HALF_HIDDEN = 0.5  # share of an opening's width; with less before it, a room is not beside it
 IN_WALL = 0.05  # metres; how far centers of things on sills and in niches are from the floor
+STEP = 0.3  # metres; who walks through an opening steps no higher: higher ones are windows
 LOOPS = 0.05  # share of the floor; where an outline crosses itself, smaller loops are cut off
 LONGEST_ID = 80  # characters; what scene files allow
 LONGEST_PART = 60  # characters of an id; some sources have long names and ids

@@ -20,7 +20,7 @@ from scenegen_core.datasets.outlines import (
     point_of,
     rounded,
 )
-from scenegen_core.datasets.plans import checked_room
+from scenegen_core.datasets.plans import STEP, checked_room
 from scenegen_core.datasets.remarks import Report, Skipped, problem_of
 from scenegen_core.datasets.roomplan_capture import (
     Section,
@@ -35,7 +35,6 @@ from scenegen_core.datasets.roomplan_capture import (
 from scenegen_core.errors import SceneGenError
 from scenegen_core.scene.model import DEFAULT_HEIGHT, Box, Opening, Room
 
-STEP = 0.3  # metres; an opening that begins higher is no way through
 STRAIGHT = "without a floor, walls count as straight"
 STANDS_ON = 0.1  # metres; an underside so near to the top of another thing stands on it
 

@@ -15,6 +15,7 @@ from xml.etree.ElementTree import Element, ParseError, fromstring
 from scenegen_core.datasets.contents import Head, content, member
 from scenegen_core.datasets.labels import categories_of, category_of
 from scenegen_core.datasets.plans import (
+    STEP,
     between_walls,
     checked_room,
     furnished,
@@ -38,7 +39,6 @@ from scenegen_core.scene.model import Box, Opening, Point, Room, Scene
 
 SOURCE = "sweethome3d"
 PIECES = ("pieceOfFurniture", "light", "shelfUnit")
-STEP = 0.3  # metres; who walks through an opening steps no higher: higher ones are windows
 HOME = "Home.xml"
 OLD_HOME = "Home"
 

@@ -11,12 +11,11 @@ from msgspec import Meta, Struct
 from scenegen_core.datasets.outlines import point_of
 from scenegen_core.scene.frames import heading_of_unity_turn, unity_to_core
 from scenegen_core.scene.geometry import Floats
-from scenegen_core.scene.model import PAPER_CATEGORIES, Point, Symmetry
+from scenegen_core.scene.model import Point
 
 SOURCE = "thor"
 Measure = Annotated[float, Meta(ge=-1e6, le=1e6)]
 """A number of Unity; those beyond are mistakes."""
-FACES_SOMEWHERE = {c.name for c in PAPER_CATEGORIES if c.symmetry is not Symmetry.SYMMETRIC}
 
 
 class XYZ(Struct, frozen=True):

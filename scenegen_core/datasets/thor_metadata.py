@@ -19,7 +19,7 @@ from shapely import Point as ShapelyPoint
 from shapely import Polygon
 
 from scenegen_core.datasets.contents import Head
-from scenegen_core.datasets.labels import category_of
+from scenegen_core.datasets.labels import category_of, faces_somewhere
 from scenegen_core.datasets.outlines import point_of
 from scenegen_core.datasets.plans import (
     checked_room,
@@ -27,7 +27,7 @@ from scenegen_core.datasets.plans import (
     with_openings,
 )
 from scenegen_core.datasets.remarks import Report, Skipped, usable_boxes
-from scenegen_core.datasets.thor import FACES_SOMEWHERE, SOURCE, heading_of
+from scenegen_core.datasets.thor import SOURCE, heading_of
 from scenegen_core.datasets.thor_metadata_file import Thing, rooms, things_of
 from scenegen_core.errors import SceneError
 from scenegen_core.scene.frames import unity_to_core
@@ -126,7 +126,7 @@ def _box(thing: Thing, category: str, heading: float) -> Box:
         unity_to_core(thing.corners),
         heading,
         label=thing.label,
-        front_known=category in FACES_SOMEWHERE,
+        front_known=faces_somewhere(category),
         parent=next(iter(thing.parents or ()), None),
     )
 
