@@ -1,4 +1,4 @@
-"""What a session wants done: values that ``live.py`` carries out, in order."""
+"""What a session wants done: values that ``connection.py`` carries out, in order."""
 
 from __future__ import annotations
 
