@@ -57,6 +57,24 @@ describe("opening a room of the list", () => {
   });
 });
 
+describe("asking what is known", () => {
+  test("the server's answer is handed on", async () => {
+    const known = { sources: [], categories: [] };
+    server(() => json(known));
+    expect(await services().fetchKnowledge()).toEqual(known);
+    expect(asked).toEqual([{ path: "/knowledge.json", body: null }]);
+  });
+
+  test.each([
+    ["offline", offline],
+    ["a server that fails", () => json({ text: "Try again." }, 500)],
+    ["an answer cut short", () => new Response('{"sources": [')],
+  ])("%s gives nothing", async (_, answer) => {
+    server(answer);
+    expect(await services().fetchKnowledge()).toBeNull();
+  });
+});
+
 describe("opening a file", () => {
   const file = new File([JSON.stringify(OTHER)], "studio.json");
 

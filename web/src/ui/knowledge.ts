@@ -109,12 +109,13 @@ function figures({ state }: Page, part: CategoryMarginals): TemplateResult {
       ${figure(
         "Where in the room?",
         positionRows(part),
-        "By a wall: less than 1 m from it to the middle of the thing. In a corner: two such walls.",
+        "Measured from its middle: a wall nearer than 1 m counts, two make a corner. Long things miss the wall at their end.",
       )}
       ${figure(
         "What is within 1 m of it?",
         groupRows(part.surrounded_by, part.examples),
         neverInWords(part.surrounded_by),
+        "around",
       )}
       ${
         part.facing.length === 0
@@ -143,8 +144,8 @@ function fronts(part: CategoryMarginals): TemplateResult {
   `;
 }
 
-function figure(title: string, rows: readonly Row[], note: string): TemplateResult {
-  return html`<section>
+function figure(title: string, rows: readonly Row[], note: string, kind = ""): TemplateResult {
+  return html`<section class=${kind}>
     <h3>${title}</h3>
     <ul class="facts" aria-label=${title}>
       ${rows.map(fact)}

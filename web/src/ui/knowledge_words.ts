@@ -87,10 +87,10 @@ export function groupRows(bars: readonly Bar[], of: number): readonly Row[] {
     }));
 }
 
-/** "Not once: sofas, TVs."; empty if each group was there. */
+/** "Not once so close: sofas, TVs."; empty if each group was there. */
 export function neverInWords(bars: readonly Bar[]): string {
   const never = bars.filter(({ count }) => count === 0).map(({ label }) => manyInWords(label));
-  return never.length === 0 ? "" : `Not once: ${never.join(", ")}.`;
+  return never.length === 0 ? "" : `Not once so close: ${never.join(", ")}.`;
 }
 
 /** Why nothing is said of what a category faces. */
