@@ -16,7 +16,7 @@ from shapely import Point as ShapelyPoint
 from scenegen_core.datasets.outlines import point_of, rounded
 from scenegen_core.datasets.remarks import Report, Skipped, usable_openings
 from scenegen_core.errors import SceneError
-from scenegen_core.scene.files import RoomRecord, room_of
+from scenegen_core.scene.files import MAX_ID, RoomRecord, room_of
 from scenegen_core.scene.geometry import Floats
 from scenegen_core.scene.model import DEFAULT_HEIGHT, Box, Opening, Point, Room, Scene, Vector3
 
@@ -25,7 +25,6 @@ HALF_HIDDEN = 0.5  # share of an opening's width; with less before it, a room is
 IN_WALL = 0.05  # metres; how far centers of things on sills and in niches are from the floor
 STEP = 0.3  # metres; who walks through an opening steps no higher: higher ones are windows
 LOOPS = 0.05  # share of the floor; where an outline crosses itself, smaller loops are cut off
-LONGEST_ID = 80  # characters; what scene files allow
 LONGEST_PART = 60  # characters of an id; some sources have long names and ids
 
 
@@ -136,7 +135,7 @@ def upright_box(
 def scene_id(path: Path, *parts: str) -> str:
     """The id of a room of a file: the file's name without endings, then what tells its rooms."""
     rest = "".join(f"/{part}" for part in parts)[-LONGEST_PART:]
-    return path.name.split(".")[0][: LONGEST_ID - len(rest)] + rest
+    return path.name.split(".")[0][: MAX_ID - len(rest)] + rest
 
 
 def _without_loops(corners: Sequence[Point]) -> tuple[Point, ...]:

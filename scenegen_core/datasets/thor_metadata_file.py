@@ -10,10 +10,11 @@ import numpy as np
 from msgspec import Struct, field
 
 from scenegen_core.datasets.contents import Head, content
-from scenegen_core.datasets.plans import LONGEST_ID, scene_id
+from scenegen_core.datasets.plans import scene_id
 from scenegen_core.datasets.remarks import Report, Skipped
 from scenegen_core.datasets.thor import XYZ, Measure
 from scenegen_core.errors import DataError, SceneError
+from scenegen_core.scene.files import MAX_ID
 from scenegen_core.scene.geometry import Floats
 
 KINDS = {0: "kitchen", 2: "living room", 3: "bedroom", 4: "bathroom"}  # by hundreds of FloorPlan312
@@ -64,7 +65,7 @@ def rooms(path: Path) -> Iterator[tuple[str, str, Things]]:
             yield scene_id(path), "", msgspec.json.decode(text, type=Things)
         elif "objects" in fields:
             event = msgspec.json.decode(text, type=_Event)
-            yield event.scene[:LONGEST_ID] or scene_id(path), _kind_of(event.scene), event.objects
+            yield event.scene[:MAX_ID] or scene_id(path), _kind_of(event.scene), event.objects
         else:
             kinds = msgspec.json.decode(text, type=dict[str, tuple[Things, ...]])
             for kind, of_kind in kinds.items():

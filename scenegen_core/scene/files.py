@@ -21,13 +21,14 @@ from scenegen_core.scene.model import DEFAULT_HEIGHT, Box, Opening, Room, Scene
 VERSION: Literal[1] = 1
 MAX_BOXES = 500
 MAX_CORNERS = 200
+MAX_ID = 80  # characters
 MIN_AREA = 0.5  # square metres; below that nobody can stand in it
 REACH = 1000.0  # metres; coordinates further out are mistakes
 
 Coordinate = Annotated[float, Meta(ge=-REACH, le=REACH)]
 Length = Annotated[float, Meta(gt=0, le=100)]
 Height = Annotated[float, Meta(ge=-10, le=100)]
-Identifier = Annotated[str, Meta(min_length=1, max_length=80)]
+Identifier = Annotated[str, Meta(min_length=1, max_length=MAX_ID)]
 Name = Annotated[str, Meta(max_length=120)]
 PointRecord = tuple[Coordinate, Coordinate]
 CenterRecord = tuple[Coordinate, Coordinate, Coordinate]
@@ -75,7 +76,7 @@ class SceneRecord(Struct, frozen=True, kw_only=True, forbid_unknown_fields=True)
 
     format: Literal["scenegen.scene"] = "scenegen.scene"
     version: Literal[1] = VERSION
-    id: Annotated[str, Meta(max_length=80)] = ""
+    id: Annotated[str, Meta(max_length=MAX_ID)] = ""
     name: Name = ""
     source: Name = ""
     room: RoomRecord
