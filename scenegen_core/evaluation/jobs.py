@@ -99,6 +99,6 @@ def _enough(scenes: Sequence[Scene]) -> None:
         raise DataError("There is no usable room in these files; give others.")
     if len(scenes) < MIN_ROOMS:
         raise DataError(
-            f"There are only {len(scenes)} usable rooms in these files, and an evaluation needs "
-            f"{MIN_ROOMS}; give more rooms."
+            f"An evaluation needs {MIN_ROOMS} usable rooms, and these files hold {len(scenes)}; "
+            "give more."
         )

@@ -146,9 +146,7 @@ def _scenes(paths: list[Path]) -> tuple[Scene, ...]:
     scenes, reductions = clean(read_all(paths, remarks.append))
     for remark in remarks:
         print(remark, file=sys.stderr)
-    print(
-        f"{reductions.rooms} rooms with {reductions.boxes} objects after cleaning", file=sys.stderr
-    )
+    print(f"after cleaning: rooms {reductions.rooms}, objects {reductions.boxes}", file=sys.stderr)
     return scenes
 
 

@@ -107,7 +107,7 @@ def test_without_rooms_at_hand_none_is_remembered() -> None:
     ("rooms", "folds", "words"),
     [
         ([], 4, "no usable room"),
-        (ROOMS[:3], 2, "only 3 usable rooms"),
+        (ROOMS[:3], 2, "these files hold 3; give more"),
         (ROOMS[:5], 4, "leave a fold of one room"),
         (ROOMS[:4], 6, "too few for 6 folds"),
     ],
