@@ -3,6 +3,7 @@ import {
   counted,
   ended,
   inSentence,
+  isNow,
   likelihoodInWords,
   relationInWords,
   signed,
@@ -22,6 +23,13 @@ test("a sentence gets one full stop", () => {
   expect(ended("Against the wall")).toBe("Against the wall.");
   expect(ended("Why not?")).toBe("Why not?");
   expect(ended("")).toBe("");
+});
+
+test("what was placed is told with its place, in one sentence", () => {
+  expect(isNow("Sofa", "Against the north wall, facing the TV")).toBe(
+    "The sofa is now against the north wall, facing the TV.",
+  );
+  expect(isNow("Picture", "")).toBe("The picture is now here.");
 });
 
 describe("relations", () => {

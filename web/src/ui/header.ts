@@ -45,7 +45,8 @@ export function history({ state, dispatch }: Page, show = iconButton): TemplateR
 }
 
 /** The state of the connection in words. */
-export function connectionInWords({ status, unsent }: Connection): string {
+export function connectionInWords({ status, unsent, ended }: Connection): string {
+  if (ended !== null) return "Ended";
   switch (status) {
     case "connecting":
       return "Connecting…";

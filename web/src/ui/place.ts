@@ -7,10 +7,9 @@ import { formatSize } from "../model/units";
 import { chips, placeable } from "./categories";
 import { button, lengthField, section } from "./controls";
 import { icon } from "./icons";
-import { knowledgeButton } from "./knowledge";
 import type { Page } from "./page";
 import { places } from "./places";
-import { ended, inSentence } from "./words";
+import { inSentence, isNow } from "./words";
 
 const SIZE_STEP = 0.05; // metres
 const SIDES = ["Depth", "Width", "Height"] as const;
@@ -32,7 +31,7 @@ export function placePanel(page: Page): TemplateResult {
         },
       )}
       ${modeSwitch(page)}
-      ${placing === null ? nothing : html`${places(page, placing)} ${size(page, placing)} ${items(page, placing)} ${knowledgeButton(page, placing.category)}`}
+      ${placing === null ? nothing : html`${places(page, placing)} ${size(page, placing)} ${items(page, placing)}`}
     `,
     "place",
   );
@@ -75,9 +74,8 @@ function modeSwitch({ state, local, services, dispatch, change }: Page): Templat
 function after(page: Page): TemplateResult | typeof nothing {
   const { placed } = page.local;
   if (placed === null) return nothing;
-  const name = inSentence(placed.category);
   return html`<div class="placed">
-    <p>The ${name} stands. ${ended(placed.sentence)}</p>
+    <p>${isNow(placed.category, placed.sentence)}</p>
     <div class="row">
       ${button(
         {

@@ -15,14 +15,22 @@ const TONES: Readonly<Record<Notice["tone"], IconName>> = {
 export function situation(page: Page): TemplateResult | typeof nothing {
   const { state } = page;
   const { status, ended } = state.connection;
-  if (ended !== null) return pill("problem", ended);
+  if (ended !== null) return pill("problem", ended, reload());
   if (status === "offline") return pill("offline", "Offline. You can go on; I'll catch up.");
   const busy = state.tool !== "select" || state.placing !== null;
   return state.scene.boxes.length === 0 && !busy ? emptyRoom(page) : nothing;
 }
 
-function pill(name: IconName, words: string): TemplateResult {
-  return html`<p class="pill">${icon(name)}<span>${words}</span></p>`;
+function pill(
+  name: IconName,
+  words: string,
+  way: TemplateResult | typeof nothing = nothing,
+): TemplateResult {
+  return html`<div class="pill">${icon(name)}<span>${words}</span>${way}</div>`;
+}
+
+function reload(): TemplateResult {
+  return button({ icon: "again", label: "Reload", run: () => location.reload() });
 }
 
 function emptyRoom({ dispatch }: Page): TemplateResult {

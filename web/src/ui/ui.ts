@@ -10,7 +10,7 @@ import { header } from "./header";
 import { help } from "./help";
 import { createInsets } from "./insets";
 import { press } from "./keyboard";
-import { knowledgeDialog } from "./knowledge";
+import { knowledgeButton, knowledgeDialog } from "./knowledge";
 import { layers, layersPanel } from "./layers";
 import { follow } from "./local";
 import { objectList } from "./objects";
@@ -36,6 +36,7 @@ export function mountUi(element: HTMLElement, dispatch: Dispatch, services: Serv
   const say = createVoice();
   const pageOf = (state: State): Page => ({ state, local, services, dispatch, change });
   const panel = (): HTMLElement | null => element.querySelector(".panel");
+  const inDialog = (): HTMLElement | null => element.querySelector("dialog[open] button");
   function change(changed: Partial<Local>): void {
     local = { ...local, ...changed };
     if (state !== null) draw(state);
@@ -43,8 +44,8 @@ export function mountUi(element: HTMLElement, dispatch: Dispatch, services: Serv
   function draw(state: State): void {
     const focused = element.contains(document.activeElement);
     render(panels(pageOf(state)), element);
-    // What had the focus is gone: the panel takes it, so that Tab goes on from there.
-    if (focused && document.activeElement === document.body) panel()?.focus();
+    // What had the focus is gone: the dialog or the panel takes it, so that Tab goes on from there.
+    if (focused && document.activeElement === document.body) (inDialog() ?? panel())?.focus();
     syncDialog(element, "help", state.help);
     syncDialog(element, "knowledge", local.knowledgeOf !== null);
     if (topic !== topicOf(state)) element.querySelector(".parts")?.scrollTo(0, 0);
@@ -95,7 +96,9 @@ export function panels(page: Page): TemplateResult {
         ${drawing ? drawingPanel(page) : nothing}
         ${drawing || placing ? nothing : selectionPanel(page)}
         ${state.placing === null ? nothing : stepper(page, state.placing)}
-        ${drawing ? nothing : placePanel(page)} ${reasonsPanel(page)} ${layersPanel(page)}
+        ${drawing ? nothing : placePanel(page)} ${reasonsPanel(page)}
+        ${state.placing === null ? nothing : knowledgeButton(page, state.placing.category)}
+        ${layersPanel(page)}
       </div>
       ${decision(page)}
     </aside>
@@ -106,10 +109,11 @@ export function panels(page: Page): TemplateResult {
 /** What is pressed already: Enter on it means the room. */
 const PRESSED = ".chip, .place-choice, .tools .tool";
 
-/** Keys typed into a field, pressed on a button or in a dialog belong there. */
+/** Keys typed into a field, pressed on a button or while a dialog is open belong there. */
 function isForTheRoom({ target, key }: KeyboardEvent): boolean {
+  if (document.querySelector("dialog[open]") !== null) return false;
   const on = target as Element;
-  if (on.closest("input[type=text], input[type=range], dialog, [popover]") !== null) return false;
+  if (on.closest("input[type=text], input[type=range], [popover]") !== null) return false;
   if (key.startsWith("Arrow")) return on.closest("input, .handle") === null;
   if (key !== "Enter" && key !== " ") return true;
   const control = on.closest("button, a, summary, input");

@@ -5,7 +5,7 @@ import { button, iconButton, toolButton } from "./controls";
 import type { Page } from "./page";
 import { start } from "./place";
 import { verdictOf } from "./reasons";
-import { ended } from "./words";
+import { ended, isNow } from "./words";
 
 /** Whether the card of the first minute is there. */
 export function isGuided({ state, local }: Page): boolean {
@@ -76,7 +76,7 @@ function settling(page: Page): TemplateResult {
 function doors(page: Page): TemplateResult {
   return card(
     page,
-    html`<p>The sofa stands. ${ended(page.local.placed?.sentence ?? "")} What now?</p>
+    html`<p>${isNow("Sofa", page.local.placed?.sentence ?? "")} What now?</p>
       <div class="doors">
         ${toolButton({
           icon: "hand",

@@ -24,6 +24,13 @@ export function ended(sentence: string): string {
   return sentence === "" || /[.!?]$/.test(sentence) ? sentence : `${sentence}.`;
 }
 
+/** What was placed where: "The sofa is now against the north wall, facing the TV." */
+export function isNow(category: string, sentence: string): string {
+  const first = sentence.split(/[\s,]/, 1)[0] ?? "";
+  const where = sentence === "" ? "here" : inSentence(first) + sentence.slice(first.length);
+  return `The ${inSentence(category)} is now ${ended(where)}`;
+}
+
 /** "1 piece", "4 pieces". */
 export function counted(count: number, noun: string): string {
   return `${count} ${noun}${count === 1 ? "" : "s"}`;
