@@ -22,17 +22,17 @@ export function reasonsPanel(page: Page): TemplateResult | typeof nothing {
   const { placing } = page.state;
   const verdict = placing === null ? null : verdictOf(placing);
   if (verdict === null) return nothing;
-  return section(
-    "Why here",
-    html`
-      <p class="why">
+  const why = html`<p class="why">
         ${ended(verdict.sentence)}
         ${verdict.likelihood === null ? nothing : html`<small>A ${likelihoodInWords(verdict.likelihood)} place.</small>`}
       </p>
-      ${bars(page, verdict.reasons)} ${total(page, verdict)} ${rooms(verdict.rooms)}
-    `,
-    "reasons",
-  );
+      ${bars(page, verdict.reasons)} ${total(page, verdict)} ${rooms(verdict.rooms)}`;
+  return placing?.mode === "manual" ? onDemand(why) : section("Why here", why, "reasons");
+}
+
+/** Who finds the place without help is told when asking. */
+function onDemand(why: TemplateResult): TemplateResult {
+  return html`<details class="part reasons more"><summary>Why here?</summary>${why}</details>`;
 }
 
 /** Of the chosen alternative, or of the pose the ghost was dragged to; null where it may not stand. */
