@@ -7,9 +7,10 @@ export function show(state: State, change: Partial<Shown>): State {
   return { ...state, shown: { ...state.shown, ...change } };
 }
 
-/** The heat maps to be seen: who places by hand finds the place without one. */
+/** The heat maps to be seen: none by hand, nor where nothing is good and a map would be blank. */
 export function shownMaps({ placing, shown }: State): readonly HeatMap[] {
-  return shown.heat && placing?.mode === "scenegen" ? placing.heatMaps : NO_MAPS;
+  const nowhere = placing?.answer?.placements.length === 0;
+  return shown.heat && placing?.mode === "scenegen" && !nowhere ? placing.heatMaps : NO_MAPS;
 }
 
 export function toggleRelation(state: State, relation: string): State {
