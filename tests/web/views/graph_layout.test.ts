@@ -1,6 +1,13 @@
 import { describe, expect, it } from "vitest";
 import type { Graph } from "../../../web/src/net/protocol.gen";
-import { arc, edgesOf, isLonely, lanes, placesOf } from "../../../web/src/views/graph_layout";
+import {
+  arc,
+  edgesOf,
+  isLonely,
+  lanes,
+  placesOf,
+  toldOf,
+} from "../../../web/src/views/graph_layout";
 
 const edge = (source: string, target: string, relation: string) => ({
   source,
@@ -58,5 +65,19 @@ describe("the scene graph over the room", () => {
     const points = arc([0, 0, 1], [2, 1, 1], 0);
     expect(points[0]).toEqual([0, 0, 1]);
     expect(points.at(-1)).toEqual([2, 1, 1]);
+  });
+
+  it("tells what one thing has to do with others, not with groups or the room", () => {
+    const edges = [
+      edge("object:a", "group:TV", "AverageDistance"),
+      edge("object:a", "object:b", "AverageDistance"),
+      edge("object:a", "object:c", "Facing"),
+      edge("object:b", "object:a", "NextTo"),
+      edge("object:a", "room", "RoomPosition"),
+    ];
+    expect(toldOf(edges, "object:a").map(({ relation }) => relation)).toEqual([
+      "Facing",
+      "AverageDistance",
+    ]);
   });
 });

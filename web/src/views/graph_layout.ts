@@ -3,6 +3,9 @@ import type { Vector3 } from "../model/state";
 import type { Graph, GraphEdge, GraphNode } from "../net/protocol.gen";
 
 const BELONGS = "BelongsTo"; // the relation of an object to its group
+const OBJECT = "object:"; // how the ids of the nodes of objects begin
+const TOLD: readonly string[] = ["Support", "Facing", "NextTo", "AverageDistance"];
+const MOST_TOLD = 4; // edges; more texts than that cover what they are about
 const OVER_MEMBERS = 0.75; // how far groups float over the middle of their members
 const ROOM_HEIGHT = 2.2; // where the node of the room floats
 const BULGE = 0.18; // of its length, how far an edge bends up
@@ -45,6 +48,17 @@ export function edgesOf(
     ({ relation, source, target }) =>
       !hidden.includes(relation) && (node === null || source === node || target === node),
   );
+}
+
+/** The edges from one node to other objects that carry their text: few, the strongest kinds first. */
+export function toldOf(edges: readonly GraphEdge[], node: string): readonly GraphEdge[] {
+  return edges
+    .filter(
+      ({ source, target, relation }) =>
+        source === node && target.startsWith(OBJECT) && TOLD.includes(relation),
+    )
+    .toSorted((a, b) => TOLD.indexOf(a.relation) - TOLD.indexOf(b.relation))
+    .slice(0, MOST_TOLD);
 }
 
 /** A bent edge as the ends of its straight pieces, two by two; `lane` spreads parallel ones. */

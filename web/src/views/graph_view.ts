@@ -2,7 +2,8 @@ import { Color, Group } from "three";
 import { relationLook } from "../model/relation_looks";
 import type { State, Vector3 } from "../model/state";
 import type { Graph, GraphEdge, GraphNode } from "../net/protocol.gen";
-import { arc, crest, edgesOf, isLonely, lanes, placesOf } from "./graph_layout";
+import { arc, crest, edgesOf, isLonely, lanes, placesOf, toldOf } from "./graph_layout";
+import type { LabelBox } from "./label_layout";
 import { Notes } from "./notes";
 import type { Look } from "./palette";
 import type { Eye, Part } from "./part";
@@ -11,7 +12,6 @@ import { TextSprite } from "./text_sprite";
 
 const CROWD = 18; // whole lines; more of them are drawn the fainter
 const FAINTEST = 0.16; // opacity
-const MAX_NOTES = 14;
 const WHITE = new Color("#ffffff");
 
 /** The scene graph over the room; one node's own relations when it is selected or hovered. */
@@ -20,13 +20,16 @@ export class GraphView implements Part {
   readonly #strokes = new Map<string, Strokes>();
   readonly #nodes: TextSprite[] = [];
   readonly #notes = new Notes();
+  readonly #taken: readonly (readonly LabelBox[])[];
   #look: Look;
   #state: State | null = null;
   #hover: string | null = null;
   #drawn: readonly unknown[] = [];
 
-  constructor(look: Look) {
+  /** `taken` is where handles are, which texts make way for. */
+  constructor(look: Look, taken: readonly (readonly LabelBox[])[]) {
     this.#look = look;
+    this.#taken = taken;
     this.root.add(this.#notes.root);
     this.root.visible = false;
   }
@@ -63,7 +66,7 @@ export class GraphView implements Part {
 
   update(eye: Eye): boolean {
     if (this.root.visible) {
-      this.#notes.fit(eye);
+      this.#notes.fit(eye, this.#taken);
       for (const node of this.#nodes) {
         node.fit(eye);
       }
@@ -101,7 +104,7 @@ export class GraphView implements Part {
       byRelation,
       node === null ? Math.max(FAINTEST, Math.min(0.7, CROWD / edges.length)) : 1,
     );
-    this.#notes.show(node === null ? [] : notesOf(edges, lane, places), {
+    this.#notes.show(node === null ? [] : notesOf(toldOf(edges, node), edges, lane, places), {
       size: 12,
       color: this.#look.labelText,
       background: this.#look.label,
@@ -160,12 +163,14 @@ function isBox(id: string): (node: GraphNode) => boolean {
 }
 
 function notesOf(
+  told: readonly GraphEdge[],
   edges: readonly GraphEdge[],
   lane: readonly number[],
   places: ReadonlyMap<string, Vector3>,
 ) {
-  return edges.slice(0, MAX_NOTES).flatMap(({ source, target, text }, i) => {
-    const [from, to] = [places.get(source), places.get(target)];
-    return from && to ? [{ text, at: crest(from, to, lane[i] ?? 0) }] : [];
+  return told.flatMap((edge) => {
+    const [from, to] = [places.get(edge.source), places.get(edge.target)];
+    const at = lane[edges.indexOf(edge)] ?? 0;
+    return from && to ? [{ text: edge.text, at: crest(from, to, at) }] : [];
   });
 }

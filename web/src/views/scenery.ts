@@ -52,7 +52,7 @@ export class Scenery implements Part {
     const veil = new Veil(look);
     this.#furniture = new FurnitureView(this.#solids);
     this.#draft = new DraftView(look, [handles.boxes]);
-    this.#graph = new GraphView(look);
+    this.#graph = new GraphView(look, [handles.boxes]);
     this.#parts = [
       lights,
       room,
