@@ -1,18 +1,28 @@
 import { MOUSE, OrthographicCamera, PerspectiveCamera, TOUCH, Vector3 } from "three";
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
 import { toCore, toPage } from "../model/frames";
-import type { CameraMode, Point, State } from "../model/state";
+import type { CameraMode, Vector3 as Place, Point, State } from "../model/state";
 import type { RoomRecord } from "../net/protocol.gen";
-import { frameRoom, freePart, type Insets, NO_INSETS, viewDirection } from "./framing";
-import { reducedMotion } from "./motion";
+import {
+  frameRoom,
+  freePart,
+  type Insets,
+  NO_INSETS,
+  type Viewpoint,
+  viewDirection,
+} from "./framing";
+import { easeOut, reducedMotion } from "./motion";
 import { boundsOf, middleOf } from "./outline";
+import { directionToFront, hungAlternative, roundTo } from "./turning";
 import { Walk } from "./walk";
 
 const FOV = 36; // degrees; little distortion
+const VERTICAL = (FOV * Math.PI) / 180; // radians
 const NEAR = 0.05;
 const FAR = 120;
 const PLAN_HEIGHT = 50; // metres over the floor
 const PLAN_MARGIN = 1.14; // how much more than the room the plan shows
+const TURN = 0.18; // seconds to turn to another wall
 const SWAY = 0.38; // radians to each side that the opening view turns
 const SWAY_SPEED = 0.16; // radians a second, of the swing's phase
 
@@ -31,6 +41,11 @@ export class Cameras {
   #room: RoomRecord | null = null;
   #scene = "";
   #untouched = true;
+  /** From where the room is looked at after a turn; null as it opens. */
+  #direction: Place | null = null;
+  #turn: { readonly from: Viewpoint; readonly to: Viewpoint } | null = null;
+  #turned = 1;
+  #seen = "";
   #swinging = false;
   #phase = 0;
   #swung = 0;
@@ -46,6 +61,7 @@ export class Cameras {
       controls.addEventListener("change", changed);
       controls.addEventListener("start", () => {
         this.#untouched = false;
+        this.#turn = null;
       });
     }
   }
@@ -63,6 +79,7 @@ export class Cameras {
     if (other || (room !== this.#room && this.#untouched && state.beforeDrag === null)) {
       this.#room = room;
       this.#scene = id;
+      this.#direction = null;
       this.frame();
     }
     this.#room = room;
@@ -71,6 +88,7 @@ export class Cameras {
       this.#mode = state.shown.camera;
       this.#enter();
     }
+    this.#turnToFront(state);
     this.hold(this.#held);
   }
 
@@ -116,11 +134,9 @@ export class Cameras {
     const { aspect } = this.#orbitCamera;
     // From the window's shape: a panel that opens must not turn the room round.
     const { clientWidth, clientHeight } = this.#element;
-    const direction = viewDirection(room, clientWidth / Math.max(1, clientHeight));
-    const fov = (FOV * Math.PI) / 180;
-    const { position, target } = frameRoom(room, direction, fov, aspect);
-    this.#orbitCamera.position.set(...toPage(position));
-    this.#orbit.target.set(...toPage(target));
+    const opening = viewDirection(room, clientWidth / Math.max(1, clientHeight));
+    this.#turn = null;
+    this.#look(frameRoom(room, this.#direction ?? opening, VERTICAL, aspect));
     this.#orbit.maxDistance = 3 * this.#orbitCamera.position.distanceTo(this.#orbit.target);
     this.#orbit.update();
     this.#framePlan(room, aspect);
@@ -130,7 +146,7 @@ export class Cameras {
   advance(elapsed: number): boolean {
     switch (this.#mode) {
       case "orbit":
-        return this.#swing(elapsed) || this.#orbit.update(elapsed);
+        return this.#swing(elapsed) || this.#goRound(elapsed) || this.#orbit.update(elapsed);
       case "top":
         return this.#plan.update(elapsed);
       case "walk":
@@ -156,6 +172,52 @@ export class Cameras {
     this.#orbit.dispose();
     this.#plan.dispose();
     this.#walk.dispose();
+  }
+
+  #look({ position, target }: Viewpoint): void {
+    this.#orbitCamera.position.set(...toPage(position));
+    this.#orbit.target.set(...toPage(target));
+  }
+
+  /** Turns the room once for each place that hangs where its front is not seen. */
+  #turnToFront(state: State): void {
+    const box = hungAlternative(state);
+    const seen = box === null ? "" : `${state.placing?.ask} ${state.placing?.alternative}`;
+    if (seen === this.#seen || this.#held || state.beforeDrag !== null) {
+      return;
+    }
+    this.#seen = seen;
+    const [eye, goal] = [this.#orbitCamera.position, this.#orbit.target];
+    const from = {
+      position: toCore([eye.x, eye.y, eye.z]),
+      target: toCore([goal.x, goal.y, goal.z]),
+    };
+    const direction = box === null ? null : directionToFront(box, from);
+    if (direction === null || this.#room === null || this.#mode !== "orbit") {
+      return;
+    }
+    this.#direction = direction;
+    this.frame();
+    if (!reducedMotion()) {
+      const to = frameRoom(this.#room, direction, VERTICAL, this.#orbitCamera.aspect);
+      this.#turn = { from, to };
+      this.#turned = 0;
+      this.#look(from);
+    }
+  }
+
+  /** One step of the turn; true while there is more to go. */
+  #goRound(elapsed: number): boolean {
+    if (this.#turn === null) {
+      return false;
+    }
+    this.#turned = Math.min(1, this.#turned + elapsed / TURN);
+    this.#look(roundTo(this.#turn.from, this.#turn.to, easeOut(this.#turned)));
+    this.#orbit.update();
+    if (this.#turned === 1) {
+      this.#turn = null;
+    }
+    return true;
   }
 
   #framePlan(room: RoomRecord, aspect: number): void {
