@@ -5,11 +5,12 @@ from __future__ import annotations
 import re
 
 import pytest
-from playwright.sync_api import Locator, Page, expect
+from playwright.sync_api import Browser, Locator, Page, expect
 
 from scenegen_core.knowledge import default_knowledge
 from scenegen_core.knowledge.marginals import marginals
 from tests.e2e.conftest import PATIENCE, ROOT
+from tests.e2e.driving import desk_at
 
 pytestmark = pytest.mark.browser
 
@@ -52,6 +53,28 @@ def test_what_it_knows_can_be_read_and_switched(page: Page) -> None:
 
     page.keyboard.press("Escape")
     expect(dialog(page)).to_be_hidden()
+
+
+def test_while_it_is_open_keys_leave_the_room_alone(desktop: Page) -> None:
+    expect(desktop.locator(".connection")).to_have_text("Connected")
+    desktop.get_by_role("group", name="What to place").get_by_role("button", name="Sofa").click()
+    desktop.keyboard.press("k")
+    dialog(desktop).get_by_text("It has seen").click()  # takes the focus off the buttons
+    desktop.keyboard.press("b")
+    desktop.keyboard.press("Escape")
+    expect(dialog(desktop)).to_be_hidden()
+    expect(desktop.get_by_role("heading", name="Place a sofa")).to_be_visible()
+
+
+def test_it_can_be_asked_again_when_the_server_is_back(browser: Browser, server_url: str) -> None:
+    with desk_at(browser, server_url, tolerated="Failed to load resource") as desk:
+        desk.page.route("**/knowledge.json", lambda route: route.abort())
+        desk.page.keyboard.press("k")
+        expect(dialog(desk.page)).to_contain_text("can't be reached now")
+        desk.page.unroute("**/knowledge.json")
+        desk.button("Try again").press("Enter")
+        expect(dialog(desk.page)).to_contain_text("It has seen")
+        expect(dialog(desk.page).get_by_role("button", name="Close")).to_be_focused()
 
 
 def test_once_read_it_needs_no_server(desktop: Page) -> None:
