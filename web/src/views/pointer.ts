@@ -80,6 +80,9 @@ export class Pointer {
     if (gesture.kind === "look") {
       return;
     }
+    if (state.probe) {
+      this.#dispatch({ type: "probe", probe: null });
+    }
     this.#pad.hold(true);
     this.#pad.element.setPointerCapture(id);
     this.#pad.element.focus({ preventScroll: true });

@@ -18,9 +18,9 @@ export function tap(state: State, gesture: Gesture, ray: Ray): readonly Action[]
   if (target?.kind === "alternative") {
     return [{ type: "show-alternative", rank: target.rank }];
   }
-  return state.placing
-    ? [{ type: "probe", probe: probeAt(state, ray) }]
-    : [{ type: "select", selection: selectionOf(target) }];
+  // What is selected can be dragged out of the way while something is placed.
+  const select: Action = { type: "select", selection: selectionOf(target) };
+  return state.placing ? [select, { type: "probe", probe: probeAt(state, ray) }] : [select];
 }
 
 /** A corner of the old outline that is tapped, not dragged, is where a new outline begins. */
