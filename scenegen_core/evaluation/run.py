@@ -7,7 +7,7 @@ from concurrent.futures import ProcessPoolExecutor
 from concurrent.futures.process import BrokenProcessPool
 from functools import partial
 from hashlib import blake2b
-from signal import SIG_DFL, SIGINT, signal
+from signal import SIG_IGN, SIGINT, signal
 
 import numpy as np
 
@@ -59,15 +59,17 @@ def _asked(
     if workers == 1:
         yield from map(put, missing)
         return
-    quiet = partial(signal, SIGINT, SIG_DFL)  # Ctrl+C ends the processes without a word
-    with ProcessPoolExecutor(workers, initializer=quiet) as pool:
-        try:
-            yield from pool.map(put, missing, chunksize=CASES_A_TASK)
-        except BrokenProcessPool:
-            raise DataError(
-                "A process that was judging has ended, perhaps for want of memory; run the same "
-                "command again with --workers 1; with --out it goes on where it stopped."
-            ) from None
+    deaf = partial(signal, SIGINT, SIG_IGN)  # Ctrl+C is for this process, which ends the others
+    pool = ProcessPoolExecutor(workers, initializer=deaf)
+    try:
+        yield from pool.map(put, missing, chunksize=CASES_A_TASK)
+    except BrokenProcessPool:
+        raise DataError(
+            "A process that was judging has ended, perhaps for want of memory; run the same "
+            "command again with --workers 1; with --out it goes on where it stopped."
+        ) from None
+    finally:
+        pool.shutdown(cancel_futures=True)
 
 
 def _ask_named(

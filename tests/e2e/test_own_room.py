@@ -32,6 +32,7 @@ def desk(browser: Browser, server_url: str) -> Iterator[Desk]:
 
 def new_room(desk: Desk) -> None:
     desk.page.keyboard.press("Escape")
+    desk.wait_for_saved(bool)
     before = desk.saved()["id"]
     desk.page.locator("button.room-name").click()
     desk.page.locator("#rooms-menu").get_by_role("button", name="New room").click()
