@@ -46,6 +46,13 @@ test("a key that means nothing just now goes its usual way", () => {
 });
 
 describe("what is selected", () => {
+  test("Ctrl D makes another one, and means nothing while nothing is selected", () => {
+    const desk = selected();
+    desk.type(["d"], { ctrlKey: true });
+    expect(desk.state.scene.boxes).toHaveLength(2);
+    expect(sitDown(begin([box("a")])).type(["d"], { ctrlKey: true })).toBe(false);
+  });
+
   test("arrows move it by 5 cm, with Shift by 1 cm", () => {
     const desk = selected();
     desk.type(["ArrowRight", "ArrowRight", "ArrowUp"]);

@@ -104,3 +104,9 @@ export function remove({ state, dispatch }: Page): boolean {
   else return false;
   return true;
 }
+
+export function duplicate({ state, dispatch }: Page): boolean {
+  if (state.selection?.kind !== "box") return false;
+  dispatch({ type: "duplicate-selected" });
+  return true;
+}

@@ -2,6 +2,7 @@
 import type { Tool } from "../model/state";
 import {
   ARROWS,
+  duplicate,
   enter,
   letGo,
   move,
@@ -81,6 +82,13 @@ export const KEYS: readonly KeyBinding[] = [
     group: "Move",
     words: "Delete it; while drawing: the last corner",
     run: (page) => remove(page),
+  },
+  {
+    keys: ["mod+d"],
+    label: "Ctrl D",
+    group: "Move",
+    words: "Duplicate it",
+    run: (page) => duplicate(page),
   },
   layer("h", "heat", "Show where it is likely"),
   layer("g", "graph", "Show how things relate"),

@@ -128,7 +128,7 @@ function boxCommands({ dispatch }: Page, box: BoxRecord): TemplateResult {
       ${button({ icon: "turn-right", label: "15°", keys: "]", run: turn(-TURN) })}
     </div>
     <div class="row">
-      ${button({ icon: "duplicate", label: "Duplicate", run: () => dispatch({ type: "duplicate-selected" }) })}
+      ${button({ icon: "duplicate", label: "Duplicate", keys: "Ctrl D", run: () => dispatch({ type: "duplicate-selected" }) })}
       ${deleteButton({ dispatch })}
     </div>
   `;

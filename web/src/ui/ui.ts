@@ -107,7 +107,7 @@ export function panels(page: Page): TemplateResult {
 }
 
 /** What is pressed already: Enter on it means the room. */
-const PRESSED = ".chip, .place-choice, .tools .tool";
+const PRESSED = ".chip, .item, .place-choice, .tools .tool";
 
 /** Keys typed into a field, pressed on a button or while a dialog is open belong there. */
 function isForTheRoom({ target, key }: KeyboardEvent): boolean {
