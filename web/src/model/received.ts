@@ -3,13 +3,18 @@ import type { Graph, SceneRecord } from "../net/protocol.gen";
 import { askAgain, caughtUp } from "./answers";
 import type { Connection, State } from "./state";
 
-/** In another session revisions start anew, so what is pending is asked again. */
+/**
+ * In another session revisions start anew, so what is pending is asked again; once the connection is
+ * back, what was said could not be done without it is old news.
+ */
 export function connected(state: State, change: Partial<Connection>): State {
   const keys = Object.keys(change) as (keyof Connection)[];
   if (keys.every((key) => change[key] === state.connection[key])) return state;
   const next = { ...state, connection: { ...state.connection, ...change } };
+  const back = change.status === "online" && state.connection.status === "offline";
+  const told = { ...next, notice: back ? null : next.notice };
   const moved = next.connection.session !== state.connection.session;
-  return moved ? askAgain({ ...next, graph: null }) : caughtUp(next);
+  return moved ? askAgain({ ...told, graph: null }) : caughtUp(told);
 }
 
 /** The room of a session that was begun on another device: there is nothing to undo in it. */

@@ -160,7 +160,7 @@ function changed(state: State, action: Action): State {
 function openScene(state: State, opened: SceneRecord): State {
   const scene = opened.id === "" ? { ...opened, id: `room-${state.nextId}` } : opened;
   const nextId = state.nextId + 1;
-  return { ...edited(state, scene, true), nextId, tool: "select", draft: null };
+  return { ...edited(state, scene, true), nextId, tool: "select", draft: null, notice: null };
 }
 
 /** What follows from a change of the scene, whoever made it. */
