@@ -89,3 +89,17 @@ describe("the sheet of the phone", () => {
     expect(cycled("full")).toBe("peek");
   });
 });
+
+test("what was placed is old news once something else is drawn", () => {
+  const desk = sitDown(begin());
+  const placed = {
+    category: "Sofa",
+    item: null,
+    size: null,
+    mode: "manual",
+    sentence: "",
+  } as const;
+  desk.page.change({ placed });
+  desk.act({ type: "choose-tool", tool: "box" });
+  expect(desk.local.placed).toBeNull();
+});

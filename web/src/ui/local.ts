@@ -7,7 +7,8 @@ import { verdictOf } from "./reasons";
 export function follow(local: Local, before: State, after: State): Local {
   const placed = lastPlaced(before, after);
   const guide = guideAfter(local.guide, before, after, placed !== null);
-  const forgotten = after.placing !== null || after.past.length < before.past.length;
+  const elsewhere = after.tool !== before.tool || after.selection !== before.selection;
+  const forgotten = elsewhere || after.placing !== null || after.past.length < before.past.length;
   return {
     ...local,
     guide,
