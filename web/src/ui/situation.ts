@@ -30,7 +30,7 @@ function pill(
 }
 
 function reload(): TemplateResult {
-  return button({ icon: "again", label: "Reload", run: () => location.reload() });
+  return button({ icon: "turn-right", label: "Reload", run: () => location.reload() });
 }
 
 function emptyRoom({ dispatch }: Page): TemplateResult {
