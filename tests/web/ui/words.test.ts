@@ -5,6 +5,7 @@ import {
   inSentence,
   isNow,
   likelihoodInWords,
+  oneOf,
   relationInWords,
   signed,
 } from "../../../web/src/ui/words";
@@ -12,6 +13,11 @@ import {
 test("a category in a sentence is lower case, an abbreviation is not", () => {
   expect(inSentence("Sofa")).toBe("sofa");
   expect(inSentence("TV")).toBe("TV");
+});
+
+test("a piece of furniture has its article, storage and decor have none", () => {
+  expect(oneOf("TV")).toBe("a TV");
+  expect(oneOf("Storage")).toBe("storage");
 });
 
 test("one is singular", () => {

@@ -9,7 +9,7 @@ import { button, lengthField, section } from "./controls";
 import { icon } from "./icons";
 import type { Page } from "./page";
 import { places } from "./places";
-import { inSentence, isNow } from "./words";
+import { inSentence, isNow, oneOf } from "./words";
 
 const SIZE_STEP = 0.05; // metres
 const SIDES = ["Depth", "Width", "Height"] as const;
@@ -17,7 +17,7 @@ const SIDES = ["Depth", "Width", "Height"] as const;
 export function placePanel(page: Page): TemplateResult {
   const { state } = page;
   const { placing } = state;
-  const title = placing === null ? "Place something" : `Place a ${inSentence(placing.category)}`;
+  const title = placing === null ? "Place something" : `Place ${oneOf(placing.category)}`;
   return section(
     title,
     html`

@@ -14,9 +14,16 @@ const RELATION_WORDS: Readonly<Record<string, string>> = {
   BelongsTo: "Part of a group",
 };
 
+const UNCOUNTED: readonly string[] = ["Decor", "Storage"];
+
 /** A category inside a sentence: "sofa", but "TV". */
 export function inSentence(category: string): string {
   return category === category.toUpperCase() ? category : category.toLowerCase();
+}
+
+/** "a sofa", but "storage": some names are no single thing. */
+export function oneOf(category: string): string {
+  return UNCOUNTED.includes(category) ? inSentence(category) : `a ${inSentence(category)}`;
 }
 
 /** The sentence with its full stop. */
