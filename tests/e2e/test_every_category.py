@@ -75,7 +75,9 @@ def place_where_offered(desk: Desk, category: str) -> bool:
     answer = desk.answer()
     if not answer["placements"]:
         panel = desk.page.get_by_role("complementary", name="Panel")
-        expect(panel.get_by_text(answer["no_good_place"]["text"]).filter(visible=True)).to_be_visible()
+        expect(
+            panel.get_by_text(answer["no_good_place"]["text"]).filter(visible=True)
+        ).to_be_visible()
         expect(desk.button("Place it")).to_be_disabled()
         desk.button("Cancel").click()
         return False
