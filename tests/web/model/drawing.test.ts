@@ -209,10 +209,11 @@ describe("boxes", () => {
     expect(drawn.scene.boxes[0]?.category).toBe("Sofa");
   });
 
-  test("a click instead of a drag draws nothing", () => {
+  test("a click instead of a drag draws nothing and is told how to draw", () => {
     const state = play(drawing, ...click([1, 1]));
     expect(state.draft).toBeNull();
     expect(state.scene).toBe(drawing.scene);
+    expect(state.notice?.text).toMatch(/^Drag from one corner/);
   });
 
   test("pressing again ends the height that is shown", () => {

@@ -15,6 +15,8 @@ import { headingFromWall, snappedToWall } from "./walls";
 
 /** A box drawn with a shorter side was a slip, metres. */
 const MIN_SIDE = 0.05;
+const TOO_THIN =
+  "Drag from one corner of the thing to the opposite one. With Alt held it does not snap.";
 /** The height that is offered first for a drawn box: a table's, metres. */
 const FIRST_HEIGHT = 0.75;
 /** Doors and windows this near to a redrawn wall stay, metres. */
@@ -79,8 +81,10 @@ export function drawUp(state: State, at: Point, free: boolean): State {
       return addCorner(moved, draft);
     case "box-floor": {
       const box = draftBox(moved, draft);
-      const big = Math.min(box.size[0], box.size[1]) >= MIN_SIDE;
-      return { ...moved, draft: big ? { kind: "box-height", box } : null };
+      const thin = Math.min(box.size[0], box.size[1]) < MIN_SIDE;
+      return thin
+        ? refused({ ...moved, draft: null }, TOO_THIN)
+        : { ...moved, draft: { kind: "box-height", box } };
     }
     case "box-height":
       return moved;
