@@ -35,12 +35,13 @@ SINK = 0.005  # metres that a footprint may pass into a wall (rounding of outlin
 PRESS = 0.002  # metres that two things may press into each other (rounding of boxes)
 LAYER = 0.01  # metres of common height below which two things do not meet
 TUCK = 0.35  # metres that a chair's seat goes under a table
+SEAT_ROOM = 0.6  # metres; under lower things, as coffee tables, no seat goes
 DOOR_DEPTH = 1.5  # metres; a wider opening has no leaf that swings further
 WINDOW_DEPTH = 0.5  # metres in front of a window that tall things leave free
 HANGING_TURN = np.pi / 16  # radians that what hangs may be turned from its wall
 
-NATURAL_OVERLAPS: dict[frozenset[str], float] = {frozenset({"Chair", "Table"}): TUCK}
-"""Pairs of categories of which one goes under the other, and how deep, metres."""
+GOES_UNDER: dict[tuple[str, str], float] = {("Chair", "Table"): TUCK}
+"""(What goes under, what it goes under) -> how deep, metres: the natural overlaps."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -135,15 +136,20 @@ def collisions(situation: Situation) -> Bools:
     shared = np.minimum(candidates.tops[:, None], around.tops) - np.maximum(
         candidates.bottoms[:, None], around.bottoms
     )
-    allowance = np.array(
-        [
-            NATURAL_OVERLAPS.get(frozenset({candidates.category, box.category}), PRESS)
-            for box in around.scene.boxes
-        ]
-    )
     flat = around.tops - around.bottoms <= RUG_HEIGHT
-    return np.asarray(
-        (situation.gaps < -allowance) & (shared > LAYER) & ~flat[None], dtype=np.bool_
+    presses = situation.gaps < -_allowances(situation)
+    return np.asarray(presses & (shared > LAYER) & ~flat[None], dtype=np.bool_)
+
+
+def _allowances(situation: Situation) -> Floats:
+    """How far each pose may reach into each box from above, metres: (n, m)."""
+    candidates, boxes = situation.candidates, situation.surroundings.scene.boxes
+    category = candidates.category
+    under = np.array([GOES_UNDER.get((category, box.category), PRESS) for box in boxes])
+    over = np.array([GOES_UNDER.get((box.category, category), PRESS) for box in boxes])
+    return np.maximum(
+        np.where(situation.surroundings.tops >= SEAT_ROOM, under, PRESS),
+        np.where(candidates.tops[:, None] >= SEAT_ROOM, over, PRESS),
     )
 
 

@@ -175,6 +175,16 @@ CASES: dict[str, tuple[Scene, Box, str]] = {
         replace(TABLE),
         "",
     ),
+    "a chair that meets a coffee table": (
+        room(thing("Table", 2.5, 2.0, (1.0, 1.6, 0.45))),
+        thing("Chair", 3.15, 2, CHAIR, heading=WEST),
+        "collision",
+    ),
+    "a coffee table that meets a chair": (
+        room(thing("Chair", 3.15, 2, CHAIR, heading=WEST)),
+        thing("Table", 2.5, 2.0, (1.0, 1.6, 0.45)),
+        "collision",
+    ),
     "a stool under a cupboard": (
         room(thing("Storage", 2.5, 2.0, (1.0, 1.6, 0.75))),
         thing("Chair", 2.91, 2, CHAIR, heading=WEST),

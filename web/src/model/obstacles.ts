@@ -28,6 +28,8 @@ const WINDOW_DEPTH = 0.5;
 const SILL = 0.01;
 /** A chair's seat goes this far under a table, metres; TUCK of scenegen_core. */
 const TUCK = 0.35;
+/** Under lower things, as coffee tables, no seat goes, metres; SEAT_ROOM. */
+const SEAT_ROOM = 0.6;
 
 export type Obstacle =
   | { readonly kind: "wall" | "ceiling" | "hold" | "door" | "window" }
@@ -64,9 +66,12 @@ export function obstacleSentence(obstacle: Obstacle): string {
 }
 
 function collide(box: BoxRecord, other: BoxRecord): boolean {
-  const pair = [box.category, other.category];
-  const tucked = pair.includes("Chair") && pair.includes("Table");
-  return overlap(box, other, tucked ? TUCK : CONTACT);
+  const tucks = goesUnder(box, other) || goesUnder(other, box);
+  return overlap(box, other, tucks ? TUCK : CONTACT);
+}
+
+function goesUnder(box: BoxRecord, other: BoxRecord): boolean {
+  return box.category === "Chair" && other.category === "Table" && topOf(other) >= SEAT_ROOM;
 }
 
 function blocksDoor(room: RoomRecord, box: BoxRecord): boolean {
