@@ -95,3 +95,19 @@ describe("what carries things", () => {
     expect(kindOf(furnished(chair), { ...lamp, center: [1, 3, 0.2] })).toBeUndefined();
   });
 });
+
+describe("a chair at a table", () => {
+  const table = (height: number): BoxRecord =>
+    box("t", { category: "Table", center: [3, 2, height / 2], size: [1, 1.6, height] });
+  const chair = (x: number): BoxRecord =>
+    box("c", { category: "Chair", center: [x, 2, 0.45], size: [0.5, 0.5, 0.9] });
+
+  test("goes a third of a metre under it", () => {
+    expect(kindOf(furnished(table(0.75)), chair(3.41))).toBeUndefined(); // 34 cm
+    expect(kindOf(furnished(table(0.75)), chair(3.39))).toBe("box"); // 36 cm
+  });
+
+  test("does not go under a coffee table", () => {
+    expect(kindOf(furnished(table(0.45)), chair(3.65))).toBe("box"); // 10 cm
+  });
+});
