@@ -142,18 +142,25 @@ class Desk:
 
     def open_room(self, name: str) -> None:
         """Opens a room from the menu of rooms."""
+        self.wait_for(self._edits_sent, lambda count: count > 0)  # the room that it begins with
+        self.wait_until_stored()
+        before = self._edits_sent()
         self.page.locator("button.room-name").click()
         menu = self.page.locator("#rooms-menu")
         menu.get_by_role("button", name=re.compile(rf"^{re.escape(name)} \d")).click()
         expect(menu).to_be_hidden()
         self.wait_for_saved(lambda scene: bool(scene["name"] == name))
         expect(self.page.locator("button.room-name")).to_have_text(name)
+        self.wait_for(self._edits_sent, lambda count: count > before)
         self.wait_until_stored()
 
     def wait_until_stored(self) -> None:
         """Until the server has acknowledged all that it was sent."""
         self.wait_for(self._waiting, lambda waiting: not waiting)
         expect(self.connection).to_have_text("Connected")
+
+    def _edits_sent(self) -> int:
+        return sum("seq" in one for one in self.sent)
 
     def _waiting(self) -> set[int]:
         told = {one["seq"] for one in self.heard if one["type"] == "ack"}

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-import re
 import subprocess
 import sys
 from collections.abc import Iterator
@@ -132,10 +131,7 @@ def test_what_was_done_while_the_server_was_gone_arrives_when_it_is_back(
         desk.things.first.focus()
         for _ in range(4):
             desk.page.keyboard.press("ArrowLeft")
-        # the steps are one change; more if the server went before it had the whole room
-        expect(desk.connection).to_have_text(
-            re.compile(r"^\s*Offline, [1-9]\d* changes? waiting\s*$")
-        )
+        expect(desk.connection).to_have_text("Offline, 1 change waiting")
         take_picture(desk.page, "offline")
         desk.heard.clear()
         with serving(port, tmp_path):
