@@ -18,8 +18,8 @@ from scenegen_core.datasets.cleaning import clean
 from scenegen_core.datasets.formats import read_all
 from scenegen_core.evaluation.bench import Bench
 from scenegen_core.evaluation.cases import Case
+from scenegen_core.evaluation.jobs import cross_validated
 from scenegen_core.evaluation.measure import errors
-from scenegen_core.evaluation.run import cross_validated
 from scenegen_core.evaluation.summary import interval
 from scenegen_core.evaluation.systems import PAPER, System
 from scenegen_core.graph import relations

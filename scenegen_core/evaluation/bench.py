@@ -71,15 +71,14 @@ class Bench:
     def joint(self) -> Table:
         """Position and heading both unknown: what the program proposes."""
         found = self._proposals
-        place = found.mounts * (1 << 40) + found.cells
-        return self._table(found.candidates, place, found.flush, found)
+        return self._table(found.candidates, found.places, found.flush, found)
 
     @cached_property
     def position(self) -> Table:
         """The true heading given, as in the paper's Table 1: the cells of the proposals."""
         found = self._proposals
-        place = found.mounts * (1 << 40) + found.cells
-        _, first = np.unique(np.stack([place, found.flush], axis=1), axis=0, return_index=True)
+        each = np.stack([found.places, found.flush], axis=1)
+        _, first = np.unique(each, axis=0, return_index=True)
         candidates = found.candidates[first]
         turned = Candidates(
             candidates.category,
@@ -87,7 +86,7 @@ class Bench:
             candidates.centers,
             np.full(len(first), self.case.box.heading),
         )
-        return self._table(turned, place[first], found.flush[first])
+        return self._table(turned, found.places[first], found.flush[first])
 
     @cached_property
     def orientation(self) -> Table:

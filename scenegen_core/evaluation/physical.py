@@ -13,7 +13,7 @@ import shapely
 
 from scenegen_core.evaluation.bench import Bench
 from scenegen_core.placement.mounts import RUG_HEIGHT
-from scenegen_core.scene.geometry import Rectangles
+from scenegen_core.scene.geometry import footprints
 from scenegen_core.scene.model import Box, Opening, Room
 
 OVERLAP = 0.02  # share of the smaller footprint
@@ -65,9 +65,4 @@ def _blocks(box: Box, footprint: shapely.Polygon, room: Room, door: Opening) -> 
 
 
 def _polygon(box: Box) -> shapely.Polygon:
-    shape = Rectangles(
-        np.array([box.center[:2]], dtype=float),
-        np.array([box.size[:2]], dtype=float) / 2,
-        np.array([box.heading], dtype=float),
-    )
-    return shapely.Polygon(shape.corners[0])
+    return shapely.Polygon(footprints([box]).corners[0])

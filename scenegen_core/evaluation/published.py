@@ -40,8 +40,3 @@ ORIENTATION: dict[str, dict[str, float]] = {
     "F+C+DS+NT": {"Bed": 1.22, "Chair": 1.50, "Sofa": 1.23, "TV": 0.63, "overall": 1.35},
 }
 """System -> category -> angle between predicted and true orientation, radians."""
-
-ROOMS = 1326
-OBJECTS = 7017
-LEARNING_SECONDS = 12.0
-"""To learn from all rooms, on a 4-core i7-4770HQ."""
