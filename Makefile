@@ -27,8 +27,8 @@ help:  ## show this list
 	@sed -nE 's/^([a-z]+):.*## (.*)/  make \1\t\2/p' $(MAKEFILE_LIST) | expand -t 18
 
 .PHONY: run
-run: $(INSTALLED) $(PAGE)  ## start SceneGen on http://localhost:8000 (another port: PORT=9000)
-	@exec $(BIN)/scenegen serve --port $(PORT)
+run: $(INSTALLED) $(PAGE)  ## start SceneGen on http://localhost:8000 (PORT=9000, for phones: LAN=1)
+	@exec $(BIN)/scenegen serve --port $(PORT) $(if $(LAN),--lan)
 
 .PHONY: page
 page: $(PAGE)  ## build the page into web/dist

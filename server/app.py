@@ -17,6 +17,7 @@ from scenegen_core.errors import SceneGenError
 from scenegen_core.knowledge.marginals import marginals
 from server.engine import Engine
 from server.exports import Exports
+from server.joining import Join, Joining
 from server.live import Live
 from server.page import ALWAYS_ASK, FOREVER, BuiltPage
 from server.security import Security
@@ -25,10 +26,15 @@ from server.store import Store
 from server.world import World
 
 
-def make_app(settings: Settings, world: World) -> Starlette:
-    """The application; SceneGenError if its store cannot be opened."""
+def make_app(settings: Settings, world: World, join: Join | None = None) -> Starlette:
+    """The application, for this machine only without a join.
+
+    Raises:
+        SceneGenError: Its store cannot be opened.
+    """
     store, engine = Store(settings.store), Engine()
     live, exports, files = Live(world, store, engine), Exports(world), Files(world)
+    joining = Joining(join)
 
     @asynccontextmanager
     async def lifespan(_: Starlette) -> AsyncIterator[None]:
@@ -46,10 +52,12 @@ def make_app(settings: Settings, world: World) -> Starlette:
             Route("/scenes/check", exports.check_scene, methods=["POST"]),
             Route("/export/room.glb", exports.room, methods=["POST"]),
             Route("/export/heat-map.png", exports.heat_map, methods=["POST"]),
+            Route("/join.json", joining.info),
+            Route("/join.svg", joining.picture),
             Route("/health", files.health),
             Mount("/", BuiltPage(settings.page)),
         ],
-        middleware=[Middleware(Security)],
+        middleware=[Middleware(Security, token=join.token if join else None)],
         exception_handlers={SceneGenError: unusable, HTTPException: failed},
         lifespan=lifespan,
     )

@@ -27,6 +27,16 @@ class Settings:
     store: Path = STORE
     page: Path = PAGE
     """The built page."""
+    lan: bool = False
+    """Whether phones in the same network can join, over HTTPS."""
+    cert: Path | None = None
+    """A certificate of the user's own (PEM) with its ``key``; None to make one where needed."""
+    key: Path | None = None
+
+    @property
+    def own_cert(self) -> Path:
+        """Where the certificate that the program makes is kept: beside the rooms."""
+        return self.store.parent / "certificate.pem"
 
     @property
     def loopback(self) -> bool:

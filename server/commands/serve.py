@@ -3,26 +3,34 @@
 from __future__ import annotations
 
 import argparse
-import io
 import signal
 import socket
 import sys
-from collections.abc import Callable
-from dataclasses import fields
+from collections.abc import Callable, Sequence
+from contextlib import AbstractAsyncContextManager, ExitStack, nullcontext
+from dataclasses import fields, replace
+from datetime import UTC, datetime
 from functools import partial
 from pathlib import Path
+from secrets import token_urlsafe
 from types import FrameType
+from typing import TYPE_CHECKING
 
-import segno
 import uvicorn
 
 from scenegen_core.errors import SceneGenError
 from server.app import make_app
+from server.guide import serving_guide
+from server.joining import Join, terminal_code
+from server.network import ANY, EVERYWHERE, lan_names
 from server.protocol import MAX_TEXT_BYTES
 from server.settings import Settings
 from server.world import World, load_world
 
-ANY = ("0.0.0.0", "::")  # noqa: S104 (only compared with)
+if TYPE_CHECKING:
+    from server.certificate import Certificate
+
+Beside = AbstractAsyncContextManager[None]
 STOP = "Stop with Ctrl+C."
 LAST_PORT = 65535
 SWITCH_INTERVAL = 0.0005  # seconds; work in other threads then hardly delays acknowledgements
@@ -34,6 +42,13 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     defaults = Settings()
     parser.add_argument("--host", default=defaults.host, help="address to listen on")
     parser.add_argument("--port", type=port, default=defaults.port, help="0 for any free port")
+    parser.add_argument(
+        "--lan", action="store_true", help="let phones in the same network join, over HTTPS"
+    )
+    parser.add_argument(
+        "--cert", type=Path, metavar="FILE", help="your own certificate for HTTPS (PEM)"
+    )
+    parser.add_argument("--key", type=Path, metavar="FILE", help="its key, if in another file")
     parser.add_argument("--knowledge", type=Path, metavar="FILE", help="what was learned")
     parser.add_argument("--catalogue", type=Path, metavar="DIR", help="your own models (GLB)")
     parser.add_argument(
@@ -47,11 +62,24 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 def run(arguments: argparse.Namespace) -> int:
     """Serve until Ctrl+C; SceneGenError if that cannot begin."""
     sys.setswitchinterval(SWITCH_INTERVAL)
-    settings = Settings(**{f.name: getattr(arguments, f.name) for f in fields(Settings)})
+    settings = _settings(arguments)
+    certificate = certificate_of(settings)
     world = load_world(settings)
-    with listen(settings) as listener:
-        text = greeting(settings, world, port=listener.getsockname()[1])
-        server = make_server(settings, world, ready=partial(print, text, flush=True))
+    with ExitStack() as sockets:
+        listener = sockets.enter_context(listen(settings.host, settings.port))
+        port, guide = listener.getsockname()[1], None
+        if certificate is not None and settings.cert is None:
+            guide = sockets.enter_context(listen(settings.host, following(settings.port)))
+        join = way_in(settings, certificate, port=port, guide=guide)
+        text = greeting(settings, world, port=port, join=join, certificate=certificate)
+        server = make_server(
+            settings,
+            world,
+            ready=partial(print, text, flush=True),
+            join=join,
+            certificate=certificate,
+            beside=serving_guide(guide, port=port) if guide else nullcontext(),
+        )
         signal.signal(signal.SIGTERM, _stop)
         try:
             server.run(sockets=[listener])
@@ -60,24 +88,65 @@ def run(arguments: argparse.Namespace) -> int:
     return 0
 
 
-def listen(settings: Settings) -> socket.socket:
+def certificate_of(settings: Settings) -> Certificate | None:
+    """The certificate to serve with, the user's own or a kept one; None for plain HTTP."""
+    if settings.cert is None and not settings.lan:
+        return None
+    # Slow to import, and not needed on one's own machine.
+    from server.certificate import kept_certificate, read_certificate  # noqa: PLC0415
+
+    now = datetime.now(UTC)
+    if settings.cert is None:
+        return kept_certificate(settings.own_cert, lan_names(), now=now)
+    return read_certificate(settings.cert, settings.key or settings.cert, now=now)
+
+
+def way_in(
+    settings: Settings,
+    certificate: Certificate | None,
+    *,
+    port: int,
+    guide: socket.socket | None = None,
+) -> Join | None:
+    """How other machines come in; None if they cannot reach the server."""
+    if settings.loopback:
+        return None
+    host = settings.host
+    if host in ANY:
+        host = _reached_by(certificate.names if certificate else lan_names())
+    scheme = "https" if certificate else "http"
+    return Join(
+        token=certificate.token if certificate else token_urlsafe(),
+        base=f"{scheme}://{bracketed(host)}:{port}",
+        guide=f"http://{bracketed(host)}:{guide.getsockname()[1]}" if guide else None,
+    )
+
+
+def listen(host: str, port: int) -> socket.socket:
     """A socket on the address; SceneGenError if another program has it."""
-    family = socket.AF_INET6 if ":" in settings.host else socket.AF_INET
+    family = socket.AF_INET6 if ":" in host else socket.AF_INET
+    both = host == EVERYWHERE == "::"
     try:
-        return socket.create_server((settings.host, settings.port), family=family)
+        return socket.create_server((host, port), family=family, dualstack_ipv6=both)
     except OSError as error:
         raise SceneGenError(
-            f"Port {settings.port} of {settings.host} cannot be used ({error.strerror}). Stop the "
-            f"other program, or choose another port: --port {settings.port + 1}"
+            f"Port {port} of {host} cannot be used ({error.strerror}). Stop the "
+            f"other program, or choose another port: --port {following(port)}"
         ) from None
 
 
 class Server(uvicorn.Server):
-    """A server that says when it is ready."""
+    """A server that says when it is ready, and has something beside it while it runs."""
 
-    def __init__(self, config: uvicorn.Config, ready: Callable[[], None]) -> None:
+    def __init__(self, config: uvicorn.Config, ready: Callable[[], None], beside: Beside) -> None:
         super().__init__(config)
         self._ready = ready
+        self._beside = beside
+
+    async def serve(self, sockets: list[socket.socket] | None = None) -> None:
+        """Run until it is told to stop."""
+        async with self._beside:
+            await super().serve(sockets)
 
     async def startup(self, sockets: list[socket.socket] | None = None) -> None:
         """Begin to answer."""
@@ -85,30 +154,51 @@ class Server(uvicorn.Server):
         self._ready()
 
 
-def make_server(settings: Settings, world: World, *, ready: Callable[[], None]) -> Server:
+def make_server(
+    settings: Settings,
+    world: World,
+    *,
+    ready: Callable[[], None],
+    join: Join | None = None,
+    certificate: Certificate | None = None,
+    beside: Beside | None = None,
+) -> Server:
     """The server, to be run on a socket that listens."""
     config = uvicorn.Config(
-        make_app(settings, world),
+        make_app(settings, world, join),
         ws="websockets-sansio",
         ws_max_size=LARGEST_FRAME,
         ws_per_message_deflate=False,  # frames are small or do not shrink; a bomb cannot grow
+        ssl_certfile=certificate.cert if certificate else None,
+        ssl_keyfile=certificate.key if certificate else None,
         log_level="warning",
         access_log=False,
         server_header=False,
         timeout_graceful_shutdown=3,
     )
-    return Server(config, ready)
+    return Server(config, ready, beside or nullcontext())
 
 
-def greeting(settings: Settings, world: World, *, port: int) -> str:
-    """What the terminal shows: the address, what is loaded, how to stop."""
-    host = "localhost" if settings.host in ANY else settings.host
-    host = f"[{host}]" if ":" in host else host
-    url = f"http://{host}:{port}"
-    note = "This address and its code work on this machine only." if settings.loopback else ""
-    return "\n".join(
-        filter(None, [f"SceneGen is open at {url}", _qr_code(url), note, *_loaded(world), STOP])
-    )
+def greeting(
+    settings: Settings,
+    world: World,
+    *,
+    port: int,
+    join: Join | None = None,
+    certificate: Certificate | None = None,
+) -> str:
+    """What the terminal shows: the addresses, what is loaded, how to stop."""
+    host = "localhost" if settings.host in ANY else bracketed(settings.host)
+    url = f"{'https' if certificate else 'http'}://{host}:{port}"
+    if join is None:
+        way = [terminal_code(url), "This address and its code work on this machine only."]
+        way.append("To open it on a phone, add --lan (make run LAN=1).")
+    else:
+        way = [f"On a phone in the same network, scan this or open {join.address}"]
+        way += [terminal_code(join.address), "Whoever has this address can join."]
+    if certificate is not None:
+        way.append(f"Fingerprint of the certificate (SHA-256): {certificate.fingerprint}")
+    return "\n".join([f"SceneGen is open at {url}", *way, *_loaded(world), STOP])
 
 
 def _loaded(world: World) -> list[str]:
@@ -122,10 +212,31 @@ def _loaded(world: World) -> list[str]:
     return [*lines, *(f"  left out: {problem}" for problem in world.catalogue.problems)]
 
 
-def _qr_code(url: str) -> str:
-    text = io.StringIO()
-    segno.make(url, micro=False).terminal(text, border=2, compact=True)
-    return text.getvalue()
+def _settings(arguments: argparse.Namespace) -> Settings:
+    """What the arguments ask for; SceneGenError if they do not go together."""
+    settings = Settings(**{f.name: getattr(arguments, f.name) for f in fields(Settings)})
+    if settings.key is not None and settings.cert is None:
+        raise SceneGenError("--key belongs to a certificate; name that too: --cert FILE")
+    if settings.lan and settings.loopback:
+        return replace(settings, host=EVERYWHERE)
+    return settings
+
+
+def _reached_by(names: Sequence[str]) -> str:
+    """Which of a certificate's names to show: an address of this machine if it has one."""
+    here = [name for name in lan_names() if name in names]
+    named = [name for name in names if "*" not in name]
+    return next(iter([*here, *named, *lan_names()]))
+
+
+def bracketed(host: str) -> str:
+    """The host as it stands in an address."""
+    return f"[{host}]" if ":" in host else host
+
+
+def following(port: int) -> int:
+    """The next port; 0, any that is free, after the last one and after 0."""
+    return port + 1 if 0 < port < LAST_PORT else 0
 
 
 def port(text: str) -> int:

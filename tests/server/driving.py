@@ -11,6 +11,8 @@ from typing import TypeVar
 import msgspec
 import pytest
 from msgspec import Struct
+from starlette.applications import Starlette
+from starlette.testclient import TestClient
 from websockets.exceptions import ConnectionClosed
 from websockets.sync.client import ClientConnection, connect
 from websockets.typing import Origin, Subprotocol
@@ -93,7 +95,7 @@ def _read_on(socket: Page) -> None:
 @contextmanager
 def serving(settings: Settings, world: World) -> Iterator[str]:
     """A running server: its address, ``ws://...``; afterwards it is stopped."""
-    with listen(settings) as listener:
+    with listen(settings.host, settings.port) as listener:
         ready = Event()
         server = make_server(settings, world, ready=ready.set)
         thread = Thread(target=server.run, kwargs={"sockets": [listener]})
@@ -104,6 +106,17 @@ def serving(settings: Settings, world: World) -> Iterator[str]:
         finally:
             server.should_exit = True
             thread.join()
+
+
+def browser(app: Starlette, host: str = "127.0.0.1", url: str = "http://localhost") -> TestClient:
+    """A browser that asks for the url, from a machine with that address."""
+    return TestClient(
+        app,
+        base_url=url,
+        client=(host, 50000),
+        raise_server_exceptions=False,
+        follow_redirects=False,
+    )
 
 
 @contextmanager

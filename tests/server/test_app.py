@@ -18,7 +18,7 @@ from server.app import make_app
 from server.protocol import RoomInfo
 from server.settings import Settings
 from server.world import World
-from tests.server.driving import ROOM, SCENE, TABLE
+from tests.server.driving import ROOM, SCENE, TABLE, browser
 
 LIVING_ROOM = Path(__file__).parents[1] / "fixtures" / "living_room.json"
 
@@ -26,7 +26,7 @@ LIVING_ROOM = Path(__file__).parents[1] / "fixtures" / "living_room.json"
 @pytest.fixture
 def client(world: World, page_files: Path, tmp_path: Path) -> Iterator[TestClient]:
     settings = Settings(store=tmp_path / "sessions.sqlite3", page=page_files)
-    with TestClient(make_app(settings, world), raise_server_exceptions=False) as client:
+    with browser(make_app(settings, world)) as client:
         yield client
 
 
@@ -48,7 +48,7 @@ def test_files_with_a_hash_in_their_name_are_kept_forever(client: TestClient) ->
 
 def test_a_page_that_is_not_built_says_how_to_build_it(world: World, tmp_path: Path) -> None:
     settings = Settings(store=tmp_path / "store", page=tmp_path / "nowhere")
-    with TestClient(make_app(settings, world)) as client:
+    with browser(make_app(settings, world)) as client:
         response = client.get("/")
         assert response.status_code == 503
         assert "make page" in response.text
@@ -83,7 +83,7 @@ def test_rooms_are_listed_and_handed_out_by_their_id(client: TestClient) -> None
 
 
 def test_a_model_is_fetched_by_its_hash_and_kept_forever(client: TestClient) -> None:
-    socket = client.websocket_connect("/socket", subprotocols=["scenegen.1"])
+    socket = client.websocket_connect("ws://localhost/socket", subprotocols=["scenegen.1"])
     with socket as page:
         page.send_text('{"type":"hello"}')
         page.send_bytes(b"")
@@ -185,7 +185,7 @@ def test_a_heat_map_of_no_query_is_refused_in_words(
 
 
 @pytest.mark.parametrize(
-    "origin", ["https://elsewhere.example", "null", "http://testserver.evil", "http://["]
+    "origin", ["https://elsewhere.example", "null", "http://localhost.evil", "http://["]
 )
 def test_another_site_cannot_post(client: TestClient, origin: str) -> None:
     response = client.post("/scenes/check", content=scene(), headers={"origin": origin})
@@ -193,7 +193,7 @@ def test_another_site_cannot_post(client: TestClient, origin: str) -> None:
     assert "another site" in response.json()["text"]
 
 
-@pytest.mark.parametrize("origin", ["http://testserver", "http://localhost:5173"])
+@pytest.mark.parametrize("origin", ["http://localhost", "http://localhost:5173"])
 def test_the_own_page_and_pages_of_this_machine_can_post(client: TestClient, origin: str) -> None:
     response = client.post("/scenes/check", content=scene(), headers={"origin": origin})
     assert response.status_code == 200

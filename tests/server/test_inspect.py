@@ -6,13 +6,13 @@ import json
 from pathlib import Path
 
 import pytest
-from starlette.testclient import TestClient
 
 from scenegen_core.knowledge import default_knowledge
 from server.app import make_app
 from server.cli import main
 from server.settings import Settings
 from server.world import World
+from tests.server.driving import browser
 
 CATEGORIES = ["Bed", "Chair", "Decor", "Picture", "Sofa", "Storage", "Table", "TV"]
 
@@ -66,7 +66,7 @@ def test_a_place_that_cannot_be_written_is_named(
 
 def test_the_page_can_ask_what_is_known(world: World, page_files: Path, tmp_path: Path) -> None:
     settings = Settings(store=tmp_path / "sessions.sqlite3", page=page_files)
-    with TestClient(make_app(settings, world)) as client:
+    with browser(make_app(settings, world)) as client:
         response = client.get("/knowledge.json")
     assert response.headers["content-type"] == "application/json"
     known = response.json()

@@ -1,0 +1,64 @@
+"""How phones join: the addresses to open, the code to scan, and the endpoints for them."""
+
+from __future__ import annotations
+
+import io
+from dataclasses import dataclass
+
+import segno
+from starlette.requests import Request
+from starlette.responses import JSONResponse, Response
+
+from server.security import JOIN
+
+SCAN = "Scan this with a phone in the same network."
+NOT_OPEN = "This server is open to its own machine only. For phones, start it with: make run LAN=1"
+MARGIN = 4  # modules of white round a code (ISO/IEC 18004)
+PRIVATE = {"Cache-Control": "no-store"}
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Join:
+    """The way in from outside of this machine."""
+
+    token: str
+    base: str
+    """The address of the server, as others reach it: ``https://192.168.1.5:8000``."""
+    guide: str | None = None
+    """The address of the page that explains the browser's warning; None where none comes."""
+
+    @property
+    def address(self) -> str:
+        """What to open, token and all. The part after # never leaves the phone unencrypted."""
+        return f"{self.guide}/#{self.token}" if self.guide else f"{self.base}/?{JOIN}={self.token}"
+
+
+class Joining:
+    """Endpoints for the page to show; only those who are in see them."""
+
+    def __init__(self, join: Join | None) -> None:
+        """None where nobody can join."""
+        self._join = join
+
+    async def info(self, _: Request) -> Response:
+        """The address to open on a phone, or null and how to get one."""
+        body = {"address": None, "text": NOT_OPEN}
+        if self._join is not None:
+            body = {"address": self._join.address, "text": SCAN}
+        return JSONResponse(body, headers=PRIVATE)
+
+    async def picture(self, _: Request) -> Response:
+        """The code to scan as SVG; 404 where nobody can join."""
+        if self._join is None:
+            return JSONResponse({"text": NOT_OPEN}, status_code=404, headers=PRIVATE)
+        picture = io.BytesIO()
+        code = segno.make(self._join.address, micro=False)
+        code.save(picture, kind="svg", border=MARGIN, light="#fff", omitsize=True)
+        return Response(picture.getvalue(), media_type="image/svg+xml", headers=PRIVATE)
+
+
+def terminal_code(address: str) -> str:
+    """The code to scan, drawn for a terminal."""
+    text = io.StringIO()
+    segno.make(address, micro=False).terminal(text, border=2, compact=True)
+    return text.getvalue()
