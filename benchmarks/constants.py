@@ -17,10 +17,10 @@ import numpy as np
 from scenegen_core.datasets.cleaning import clean
 from scenegen_core.datasets.formats import read_all
 from scenegen_core.evaluation.bench import Bench
+from scenegen_core.evaluation.bootstrap import interval
 from scenegen_core.evaluation.cases import Case
 from scenegen_core.evaluation.jobs import cross_validated
-from scenegen_core.evaluation.measure import errors
-from scenegen_core.evaluation.summary import interval
+from scenegen_core.evaluation.measure import answer, errors
 from scenegen_core.evaluation.systems import PAPER, System
 from scenegen_core.graph import relations
 from scenegen_core.scene.model import PAPER_CATEGORIES, Scene, Symmetry
@@ -41,10 +41,10 @@ def judged(scenes: tuple[Scene, ...], every: int) -> dict[str, list[tuple[str, f
         rng = np.random.default_rng(SEED)
         for case in job.cases[::every]:
             bench = Bench(case, job.knowledge.groups)
-            one = errors(system, "position", bench, job.knowledge, rng)
+            one = errors(answer(system, "position", bench, job.knowledge, rng))
             found["position"].append((case.scene.id, one["top1"]))
             if _faces(case, bench):
-                other = errors(system, "orientation", bench, job.knowledge, rng)
+                other = errors(answer(system, "orientation", bench, job.knowledge, rng))
                 found["orientation"].append((case.scene.id, other["angle"]))
     return found
 

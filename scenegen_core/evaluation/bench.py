@@ -19,8 +19,17 @@ from scenegen_core.placement.walking import Walking
 from scenegen_core.scene.geometry import Bools, Floats, Ints
 from scenegen_core.scene.model import Category
 
-Task = Literal["position", "orientation", "joint"]
-TASKS: tuple[Task, ...] = ("position", "orientation", "joint")
+Form = Literal["position", "orientation", "joint"]
+"""What is unknown: the position, the heading, or both."""
+Task = Literal["position", "orientation", "joint", "joint2", "joint3"]
+"""A form in the room that lacks the object, or two or three with it."""
+FORMS: dict[Task, Form] = {
+    "position": "position",
+    "orientation": "orientation",
+    "joint": "joint",
+    "joint2": "joint",
+    "joint3": "joint",
+}
 
 HEADINGS = 72  # tried at the true position, every 5°
 
@@ -61,11 +70,15 @@ class Bench:
     def _proposals(self) -> Proposals:
         return propose(self.around, self.category, self.case.box.size)
 
-    def table(self, task: Task) -> Table:
-        """The poses of a task."""
-        return {"position": self.position, "orientation": self.orientation, "joint": self.joint}[
-            task
-        ]
+    def table(self, form: Form) -> Table:
+        """The poses of a form."""
+        match form:
+            case "position":
+                return self.position
+            case "orientation":
+                return self.orientation
+            case "joint":
+                return self.joint
 
     @cached_property
     def joint(self) -> Table:

@@ -5,10 +5,12 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from hashlib import blake2b
+from itertools import accumulate, islice
 
 import numpy as np
 
 from scenegen_core.errors import DataError
+from scenegen_core.scene.geometry import footprints, gaps
 from scenegen_core.scene.model import OTHER, Box, Scene
 
 
@@ -39,6 +41,22 @@ def cases(scenes: Iterable[Scene], categories: Iterable[str]) -> tuple[Case, ...
         for box in scene.boxes
         if box.category in wanted
     )
+
+
+def emptier(case: Case, most: int, categories: Iterable[str]) -> tuple[Case, ...]:
+    """The case without the nearest thing of these categories too, without the nearest two, …, most.
+
+    () if the room has fewer. Nearest by the gap between footprints, below 0 where they overlap:
+    those are what the answer hangs on most.
+    """
+    wanted = set(categories) - {OTHER}
+    boxes = [box for box in case.scene.boxes if box.category in wanted]
+    if len(boxes) < most:
+        return ()
+    away = gaps(footprints([case.box]), footprints(boxes))[0]
+    gone = [boxes[index].id for index in np.argsort(away, kind="stable")[:most]]
+    scenes = accumulate(gone, Scene.without, initial=case.scene)
+    return tuple(Case(scene, case.box) for scene in islice(scenes, 1, None))
 
 
 def home_of(scene: Scene) -> str:

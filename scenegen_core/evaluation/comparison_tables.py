@@ -7,6 +7,7 @@ from collections.abc import Mapping
 import numpy as np
 
 from scenegen_core.evaluation.bench import Task
+from scenegen_core.evaluation.bootstrap import relative
 from scenegen_core.evaluation.names import (
     BOUND,
     MEASURES,
@@ -20,7 +21,7 @@ from scenegen_core.evaluation.names import (
 )
 from scenegen_core.evaluation.published import ORIENTATION, POSITION
 from scenegen_core.evaluation.report_tables import Judged
-from scenegen_core.evaluation.summary import both, paired, relative
+from scenegen_core.evaluation.summary import both, paired
 from scenegen_core.evaluation.tables import Cell, Column, Row, Table, best_of_column, best_of_row
 
 ASKED: tuple[tuple[Task, str], ...] = (

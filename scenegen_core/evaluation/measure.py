@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from scenegen_core.evaluation.bench import Bench, Table, Task, spread
+from scenegen_core.evaluation.bench import FORMS, Bench, Table, Task, spread
 from scenegen_core.evaluation.physical import physical
 from scenegen_core.evaluation.systems import System
 from scenegen_core.knowledge.knowledge import Knowledge
@@ -29,46 +29,59 @@ class Picks:
     spread: Ints
 
 
-def errors(
+@dataclass(frozen=True, slots=True, eq=False)
+class Answer:
+    """What a system says in a task of a case."""
+
+    task: Task
+    bench: Bench
+    table: Table
+    scores: Floats
+    """Of all n poses of the table, −∞ for those that were not scored: (n,)."""
+    picks: Picks
+
+
+def answer(
     system: System, task: Task, bench: Bench, knowledge: Knowledge, rng: np.random.Generator
-) -> Errors:
-    """The errors of a system in a task of a case."""
-    table = bench.table(task)
+) -> Answer:
+    """Ask a system."""
+    form = FORMS[task]
+    table = bench.table(form)
     scores = np.full(len(table.candidates), -np.inf)
     if system.feasible:
-        found = system.scores[task](bench, table, knowledge, rng)
+        found = system.scores[form](bench, table, knowledge, rng)
         scores[table.scored] = found + TIE * rng.random(len(found))
     else:
         scores = rng.random(len(table.candidates))
-    picks = _picks(system, task, bench, table, scores, rng)
+    return Answer(task, bench, table, scores, _picks(system, bench, table, scores, rng))
+
+
+def errors(found: Answer) -> Errors:
+    """How far an answer is from the truth; in the joint task also the facts that it breaks."""
+    bench, table, picks, form = found.bench, found.table, found.picks, FORMS[found.task]
     facts: Errors = {}
     truth = bench.case.box
     away = np.hypot(*(table.candidates.centers[:, :2] - np.array(truth.center[:2])).T)
-    if task != "orientation":
+    if form != "orientation":
         facts["top1"] = float(away[picks.best])
         facts["top5"] = float(away[picks.five].min())
         facts["spread5"] = float(away[picks.spread].min())
-    if task != "position" and _has_front(bench):
+    if form != "position" and has_front(bench):
         facts["angle"] = float(abs(wrapped(table.candidates.headings[picks.best] - truth.heading)))
-    if task == "joint":
+    if found.task == "joint":
         facts |= physical(bench, table.candidates.box(picks.best, "new"))
     return facts
 
 
 def _picks(
-    system: System,
-    task: Task,
-    bench: Bench,
-    table: Table,
-    scores: Floats,
-    rng: np.random.Generator,
+    system: System, bench: Bench, table: Table, scores: Floats, rng: np.random.Generator
 ) -> Picks:
-    """Best, best five, and five that differ; in the joint task as the program offers them."""
+    """Best, best five, and five that differ; of proposals as the program offers them."""
     order = np.argsort(-scores, kind="stable")
     _, first = np.unique(table.cells[order], return_index=True)
     five = order[np.sort(first)[:OFFERED]]
     differing = np.empty(0, dtype=np.int64)
-    if task == "joint" and system.feasible and table.proposals is not None:
+    if system.feasible and table.proposals is not None:
         differing = choose(
             table.proposals,
             scores,
@@ -82,7 +95,7 @@ def _picks(
     return Picks(int(differing[0]), five, differing)
 
 
-def _has_front(bench: Bench) -> bool:
+def has_front(bench: Bench) -> bool:
     """Is the true heading evidence about orientation?"""
     box = bench.case.box
     asymmetric = bench.category.symmetry is Symmetry.ASYMMETRIC

@@ -11,6 +11,19 @@ from scenegen_core.errors import DataError
 from scenegen_core.evaluation.bench import Task
 
 
+class Chances(Struct, frozen=True):
+    """What the probabilities of a system said of a case."""
+
+    called: tuple[float, ...]
+    """The probability that the truth is near an offered pose, for each."""
+    holds: tuple[bool, ...]
+    """Is it?"""
+    log_score: float
+    """Logarithm of the probability of the true cell, nats."""
+    log_uniform: float
+    """The same where every possible cell is equally likely."""
+
+
 class Record(Struct, frozen=True):
     """What one case said of all systems."""
 
@@ -22,6 +35,8 @@ class Record(Struct, frozen=True):
     fold: int
     errors: dict[str, dict[Task, dict[str, float]]]
     """System -> task -> measure -> error."""
+    chances: dict[str, Chances]
+    """System -> what its probabilities said in the joint task, of those that give any."""
     truth: dict[str, float]
     """The physical facts of the object where it really stood."""
 

@@ -12,18 +12,20 @@ from signal import SIG_IGN, SIGINT, signal
 import numpy as np
 
 from scenegen_core.errors import DataError
-from scenegen_core.evaluation.bench import Bench, Task
-from scenegen_core.evaluation.cases import Case
+from scenegen_core.evaluation.bench import FORMS, Bench, Task
+from scenegen_core.evaluation.cases import Case, emptier
+from scenegen_core.evaluation.chances import chances
 from scenegen_core.evaluation.jobs import Job
-from scenegen_core.evaluation.measure import errors
+from scenegen_core.evaluation.measure import Errors, answer, errors, has_front
 from scenegen_core.evaluation.physical import physical
-from scenegen_core.evaluation.records import Journal, Record
+from scenegen_core.evaluation.records import Chances, Journal, Record
 from scenegen_core.evaluation.retrieval import Lesson
 from scenegen_core.evaluation.systems import SYSTEMS, System
 from scenegen_core.knowledge.knowledge import Knowledge
-from scenegen_core.scene.model import Symmetry
 
 CASES_A_TASK = 8  # sent to a process at a time, with the knowledge
+EMPTIER: tuple[Task, ...] = ("joint2", "joint3")  # one more is gone, two more are
+EMPTIER_SHARE = 0.5  # of the cases that are asked in emptier rooms too; half the time it takes
 
 Progress = Callable[[int, int], None]
 """Told how many cases are done, of how many."""
@@ -95,34 +97,49 @@ def ask(
     fold: int = 0,
 ) -> Record:
     """The errors of systems in one case; the same whichever process and whatever else is asked."""
-    bench = Bench(case, knowledge.groups, lessons)
+    questions = _questions(case, knowledge, lessons, seed)
+    found: dict[str, dict[Task, Errors]] = {}
+    said: dict[str, Chances] = {}
+    for system in systems:
+        if system.needs_lessons and not lessons:
+            continue
+        found[system.name] = {}
+        for task, bench in questions.items():
+            if FORMS[task] not in system.scores:
+                continue
+            rng = _rng(seed, case.key, system.name, task)
+            one = answer(system, task, bench, knowledge, rng)
+            found[system.name][task] = errors(one)
+            if system.probabilities and task == "joint":
+                said[system.name] = chances(one)
     return Record(
         case=case.key,
         room=f"{case.source}:{case.scene.id}",
         source=case.source,
         category=case.box.category,
         fold=fold,
-        errors={
-            system.name: {
-                task: errors(system, task, bench, knowledge, _rng(seed, case, system, task))
-                for task in system.scores
-                if _asks(task, bench)
-            }
-            for system in systems
-            if lessons or not system.needs_lessons
-        },
-        truth=physical(bench, case.box),
+        errors=found,
+        chances=said,
+        truth=physical(questions["joint"], case.box),
     )
 
 
-def _rng(seed: int, case: Case, system: System, task: Task) -> np.random.Generator:
-    text = f"{seed}:{case.key}:{system.name}:{task}"
+def _questions(
+    case: Case, knowledge: Knowledge, lessons: tuple[Lesson, ...], seed: int
+) -> dict[Task, Bench]:
+    """The tasks of a case. Emptier rooms are asked of a share of the cases, both or none."""
+    bench = Bench(case, knowledge.groups, lessons)
+    questions: dict[Task, Bench] = {"position": bench, "joint": bench}
+    if has_front(bench):
+        questions["orientation"] = bench
+    if _rng(seed, case.key, "emptier").random() < EMPTIER_SHARE:
+        names = [group.name for group in knowledge.groups]
+        for task, one in zip(EMPTIER, emptier(case, len(EMPTIER), names), strict=False):
+            questions[task] = Bench(one, knowledge.groups, lessons)
+    return questions
+
+
+def _rng(seed: int, *words: str) -> np.random.Generator:
+    text = ":".join((str(seed), *words))
     digest = blake2b(text.encode(), digest_size=8).digest()
     return np.random.default_rng(int.from_bytes(digest, "big"))
-
-
-def _asks(task: Task, bench: Bench) -> bool:
-    """Orientation is asked only of what has a front that is known."""
-    box = bench.case.box
-    fronted = bench.category.symmetry is Symmetry.ASYMMETRIC and box.front_known
-    return task != "orientation" or (fronted and not box.front_from_wall)

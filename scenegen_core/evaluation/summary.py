@@ -7,15 +7,14 @@ from typing import Any
 
 import numpy as np
 
-from scenegen_core.evaluation.bench import Task
+from scenegen_core.evaluation.bench import FORMS, Task
+from scenegen_core.evaluation.bootstrap import interval
+from scenegen_core.evaluation.calibration import calibration
 from scenegen_core.evaluation.physical import PHYSICAL
 from scenegen_core.evaluation.records import Record
-from scenegen_core.scene.geometry import Floats
 
 MEASURES = ("top1", "top5", "spread5", "angle")
 """Metres, metres, metres, radians."""
-RESAMPLES = 1000
-LEVEL = 0.95
 
 Means = dict[str, Any]
 """{"n", measure: mean, "ci": {measure: [low, high]}}."""
@@ -37,13 +36,23 @@ def names_of(records: Sequence[Record]) -> tuple[str, ...]:
 
 
 def _model(records: Sequence[Record], name: str, rng: np.random.Generator) -> dict[str, Any]:
-    tasks = dict.fromkeys(task for record in records for task in record.errors.get(name, {}))
-    tables: dict[str, Any] = {task: _table(records, name, task, rng) for task in tasks}
+    asked = {task for record in records for task in record.errors.get(name, {})}
+    tables: dict[str, Any] = {
+        task: _table(records, name, task, rng) for task in FORMS if task in asked
+    }
     facts = [e["joint"] for r in records if "joint" in (e := r.errors.get(name, {}))]
     if facts:
         tables["physical"] = {
             fact: float(np.mean([errors[fact] for errors in facts])) for fact in PHYSICAL
         }
+    said = [record for record in records if name in record.chances]
+    if said:
+        categories = sorted({record.category for record in said})
+        tables["calibration"] = {
+            "overall": calibration(said, name, rng=rng),
+            **{c: calibration([r for r in said if r.category == c], name, rng=rng)
+               for c in categories},
+        }  # fmt: skip
     return tables
 
 
@@ -73,45 +82,6 @@ def means(rows: Iterable[tuple[str, dict[str, float]]], *, rng: np.random.Genera
             intervals[measure] = list(interval(values, rng=rng))
     found["ci"] = intervals
     return found
-
-
-def interval(
-    values: Sequence[tuple[str, float]], *, rng: np.random.Generator
-) -> tuple[float, float]:
-    """The 95 % bootstrap interval of a mean, rooms drawn with replacement.
-
-    Queries of one room hang together, so rooms are drawn, not queries.
-    """
-    sums, counts = _drawn([(room, (value,)) for room, value in values], rng)
-    return _middle(sums[:, 0] / counts)
-
-
-def relative(
-    values: Sequence[tuple[str, tuple[float, float]]], *, rng: np.random.Generator
-) -> tuple[float, float, float]:
-    """mean(one) / mean(other) − 1 of (room, (one, other)) pairs, with its interval by rooms."""
-    one, other = np.array([pair for _, pair in values]).mean(axis=0)
-    totals, _ = _drawn(values, rng)
-    safe = totals[totals[:, 1] > 0]
-    return float(one / other - 1), *_middle(safe[:, 0] / safe[:, 1] - 1)
-
-
-def _drawn(
-    values: Sequence[tuple[str, tuple[float, ...]]], rng: np.random.Generator
-) -> tuple[Floats, Floats]:
-    """Rooms drawn with replacement: sums (draws, values), and how many values (draws,)."""
-    rooms, index = np.unique([room for room, _ in values], return_inverse=True)
-    numbers = np.array([number for _, number in values])
-    sums = np.zeros((len(rooms), numbers.shape[1]))
-    np.add.at(sums, index, numbers)
-    drawn = rng.integers(len(rooms), size=(RESAMPLES, len(rooms)))
-    counts = np.bincount(index).astype(float)
-    return sums[drawn].sum(axis=1), counts[drawn].sum(axis=1)
-
-
-def _middle(resampled: Floats) -> tuple[float, float]:
-    low, high = np.quantile(resampled, ((1 - LEVEL) / 2, (1 + LEVEL) / 2))
-    return float(low), float(high)
 
 
 def both(

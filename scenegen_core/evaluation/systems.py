@@ -5,10 +5,11 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from functools import lru_cache
+from typing import get_args
 
 import numpy as np
 
-from scenegen_core.evaluation.bench import Bench, Table, Task
+from scenegen_core.evaluation.bench import Bench, Form, Table
 from scenegen_core.evaluation.yardsticks import (
     along_walls,
     anywhere,
@@ -31,7 +32,7 @@ class System:
     """A named way to answer some of the tasks."""
 
     name: str
-    scores: Mapping[Task, Score]
+    scores: Mapping[Form, Score]
     feasible: bool = True
     """Does it look at what is possible? Only the random pose does not."""
     needs_lessons: bool = False
@@ -53,11 +54,11 @@ def _paper(position: tuple[str, ...], orientation: tuple[str, ...], part: str) -
     return score
 
 
-def _position(*relations: str) -> Mapping[Task, Score]:
+def _position(*relations: str) -> Mapping[Form, Score]:
     return {"position": _paper(relations, ("F", "TC", "RP"), "position")}
 
 
-def _orientation(*relations: str) -> Mapping[Task, Score]:
+def _orientation(*relations: str) -> Mapping[Form, Score]:
     return {"orientation": _paper(("RP",), relations, "orientation")}
 
 
@@ -83,20 +84,18 @@ ABLATIONS: tuple[System, ...] = (
 )
 """The paper's reduced systems; its full ones, AD+S+RP and F+C+RP, are "paper"."""
 
-ALL_TASKS: tuple[Task, ...] = ("position", "orientation", "joint")
-
 YARDSTICKS: tuple[System, ...] = (
-    System("random", dict.fromkeys(ALL_TASKS, anywhere), feasible=False),
-    System("random_open", dict.fromkeys(ALL_TASKS, anywhere)),
+    System("random", dict.fromkeys(get_args(Form), anywhere), feasible=False),
+    System("random_open", dict.fromkeys(get_args(Form), anywhere)),
     System("cover_floor", {"position": cover_floor, "joint": cover_floor}),
     System("along_walls", {"position": along_walls, "joint": along_walls}),
     System("away_from_wall", {"orientation": away_from_wall}),
     System("category_prior", {"position": _paper(("RP",), ("TC", "RP"), "position"),
                               "orientation": _paper(("RP",), ("TC", "RP"), "orientation"),
                               "joint": _paper(("RP",), ("TC", "RP"), "total")}),
-    System("nearest_room", dict.fromkeys(ALL_TASKS, nearest_room), needs_lessons=True),
-    System("rules", dict.fromkeys(ALL_TASKS, rules)),
-    System("oracle", dict.fromkeys(ALL_TASKS, oracle)),
+    System("nearest_room", dict.fromkeys(get_args(Form), nearest_room), needs_lessons=True),
+    System("rules", dict.fromkeys(get_args(Form), rules)),
+    System("oracle", dict.fromkeys(get_args(Form), oracle)),
 )  # fmt: skip
 
 SYSTEMS: tuple[System, ...] = (PAPER, *ABLATIONS, *YARDSTICKS)

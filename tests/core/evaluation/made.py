@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from scenegen_core.evaluation.bench import Task
-from scenegen_core.evaluation.records import Record, Settings
+from scenegen_core.evaluation.records import Chances, Record, Settings
 from scenegen_core.scene.model import Box, Room, Scene
 
 FINE = {"collides": 0.0, "outside": 0.0, "blocks_door": 0.0, "breaks_path": 0.0}
@@ -17,6 +17,7 @@ def record(
     category: str = "Bed",
     source: str = "flats",
     truth: dict[str, float] | None = None,
+    chances: dict[str, Chances] | None = None,
 ) -> Record:
     return Record(
         case=f"{source}:{room}#{number}",
@@ -25,6 +26,7 @@ def record(
         category=category,
         fold=0,
         errors=errors,
+        chances=chances or {},
         truth=truth or FINE,
     )
 

@@ -10,7 +10,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from scenegen_core.errors import DataError
-from scenegen_core.evaluation.cases import cases, folds, home_of
+from scenegen_core.evaluation.cases import Case, cases, emptier, folds, home_of
 from scenegen_core.scene.model import Scene
 from tests.core.placement.drawn import room, thing
 
@@ -116,3 +116,30 @@ def test_folds_part_the_scenes_and_share_no_home_and_no_layout(
 def test_folds_are_of_about_equal_size() -> None:
     scenes = [scene(str(i), f"h{i}", 1 + i / 100) for i in range(101)]
     assert sorted(len(part) for part in folds(scenes, 4, rng=rng())) == [25, 25, 25, 26]
+
+
+def names(case: Case) -> list[str]:
+    """What is left in the room of a case."""
+    return [box.id for box in case.scene.boxes]
+
+
+def test_emptier_rooms_lack_the_nearest_things_that_can_be_placed() -> None:
+    bed = thing("Bed", 1, 1, (2, 1, 0.5))  # x 0 to 2, y 0.5 to 1.5
+    rug = thing("Decor", 1, 1, (1, 1, 0.01), box_id="rug")  # under it
+    lamp = thing("Decor", 2.3, 1, (0.2, 0.2, 1), box_id="lamp")  # 0.2 m away
+    stool = thing("Other", 2.15, 1, (0.1, 0.1, 0.4), box_id="stool")  # nearer, but never placed
+    sofa = thing("Sofa", 4, 1, (1, 2, 0.8))  # 1.5 m away, its middle 3 m
+    tv = thing("TV", 1, 3.6, (0.1, 0.6, 0.6))  # 1.8 m away, its middle 2.6 m
+    case = Case(room(sofa, tv, lamp, stool, rug), bed)
+    one, two, three = emptier(case, 3, ["Bed", "Decor", "TV", "Sofa", "Other"])
+    assert names(one) == ["sofa", "tv", "lamp", "stool"]
+    assert names(two) == ["sofa", "tv", "stool"]
+    assert names(three) == ["tv", "stool"]
+    assert {found.box for found in (one, two, three)} == {bed}
+
+
+def test_a_room_with_too_little_in_it_is_not_made_emptier() -> None:
+    case = Case(room(STAND, CRATE), BED)
+    assert emptier(case, 2, ["Bed", "Storage", "Other"]) == ()
+    (one,) = emptier(case, 1, ["Bed", "Storage", "Other"])
+    assert names(one) == ["other"]

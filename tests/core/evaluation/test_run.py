@@ -91,6 +91,29 @@ def test_an_interrupted_run_goes_on_where_it_stopped(
     assert told == list(range(6, 25))
 
 
+def test_half_of_what_has_company_is_asked_in_emptier_rooms(records: tuple[Record, ...]) -> None:
+    full = [bedroom(number, TELEVISION) for number in range(20)]
+    job = held_out(full, learn(full, PAPER_CATEGORIES))
+    found = run([job], Journal(None, SETTINGS), systems=("oracle", "F"), seed=1)
+    asked = [record.errors["oracle"] for record in found if "joint2" in record.errors["oracle"]]
+    assert 20 <= len(asked) <= 40  # of 60
+    for errors in asked:  # what is gone is in the way no more
+        assert errors["joint3"]["top1"] <= errors["joint"]["top1"] + 0.1
+    assert not any("joint3" in r.errors["F"] for r in found)  # knows no places
+    company = {r.room for r in records if "joint3" in r.errors["paper"]}
+    assert company <= {f"flats:home{number}/bedroom" for number in range(3)}
+
+
+def test_what_gives_probabilities_says_some_of_every_case(records: tuple[Record, ...]) -> None:
+    for record in records:
+        assert list(record.chances) == ["paper"]
+        found = record.chances["paper"]
+        assert 1 <= len(found.called) == len(found.holds) <= 5
+        assert found.log_score <= 0
+        nearest = record.errors["paper"]["joint"]["spread5"]
+        assert any(found.holds) == (nearest <= 0.5)
+
+
 def test_rooms_that_taught_are_counted() -> None:
     knowledge = learn(ROOMS[:8], PAPER_CATEGORIES)
     assert taught(ROOMS[6:], knowledge) == 2

@@ -8,7 +8,8 @@ import numpy as np
 import pytest
 from scipy import stats
 
-from scenegen_core.evaluation.summary import interval, paired, relative, summarize
+from scenegen_core.evaluation.bootstrap import interval, relative
+from scenegen_core.evaluation.summary import paired, summarize
 from tests.core.evaluation.made import joint, record
 
 

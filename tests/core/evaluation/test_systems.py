@@ -7,9 +7,9 @@ from math import pi
 import numpy as np
 import pytest
 
-from scenegen_core.evaluation.bench import Bench, Task, spread
+from scenegen_core.evaluation.bench import Bench, Form, spread
 from scenegen_core.evaluation.cases import Case
-from scenegen_core.evaluation.measure import Errors, errors
+from scenegen_core.evaluation.measure import Errors, answer, errors
 from scenegen_core.evaluation.retrieval import lessons_of
 from scenegen_core.evaluation.systems import SYSTEMS, System
 from scenegen_core.knowledge import Knowledge, learn
@@ -32,11 +32,11 @@ def bed() -> Bench:
     return Bench(Case(room.without("bed"), room["bed"]), PAPER_CATEGORIES, lessons_of(ROOMS))
 
 
-def worth(system: System, task: Task, bench: Bench, knowledge: Knowledge) -> Errors:
-    return errors(system, task, bench, knowledge, np.random.default_rng(2))
+def worth(system: System, task: Form, bench: Bench, knowledge: Knowledge) -> Errors:
+    return errors(answer(system, task, bench, knowledge, np.random.default_rng(2)))
 
 
-def scores(name: str, task: Task, bench: Bench, knowledge: Knowledge) -> list[float]:
+def scores(name: str, task: Form, bench: Bench, knowledge: Knowledge) -> list[float]:
     table = bench.table(task)
     found = BY_NAME[name].scores[task](bench, table, knowledge, np.random.default_rng(2))
     return [float(score) for score in found]
@@ -44,7 +44,7 @@ def scores(name: str, task: Task, bench: Bench, knowledge: Knowledge) -> list[fl
 
 @pytest.mark.parametrize(("system", "task"), EVERYWHERE, ids=lambda p: getattr(p, "name", p))
 def test_more_answers_are_never_further_from_the_truth(
-    system: System, task: Task, bed: Bench, knowledge: Knowledge
+    system: System, task: Form, bed: Bench, knowledge: Knowledge
 ) -> None:
     found = worth(system, task, bed, knowledge)
     if task == "orientation":
@@ -61,7 +61,8 @@ def test_only_the_random_pose_breaks_rules(bed: Bench, knowledge: Knowledge) -> 
         for system in SYSTEMS
         if "joint" in system.scores
         for seed in range(6)
-        if (found := errors(system, "joint", bed, knowledge, np.random.default_rng(seed)))
+        if (rng := np.random.default_rng(seed))
+        and (found := errors(answer(system, "joint", bed, knowledge, rng)))
         and found["collides"] + found["outside"] > 0
     }
     assert broken == {"random"}
