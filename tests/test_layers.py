@@ -31,6 +31,7 @@ WEB_MAY_IMPORT = {
     "store": {"model"},
     "net": {"net", "model", "contract", "store"},
     "views": {"views", "model", TYPES, "contract", "three"},
+    "xr": {"xr", "views", "model", TYPES, "contract", "store", "three"},
     "ui": {"ui", "model", TYPES, "contract", "store", "styles", "lit"},
 }
 """Folders and modules of web/src; what wires them together (main, services) may import all."""

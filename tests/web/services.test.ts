@@ -1,6 +1,7 @@
 import { afterEach, beforeEach, describe, expect, test, vi } from "vitest";
 import { createServices } from "../../web/src/services";
 import { createStore } from "../../web/src/store";
+import { NO_AR } from "./no_ar";
 import { begin, play, room } from "./rooms";
 
 const OTHER = { ...room(), id: "studio", name: "Studio" };
@@ -22,7 +23,7 @@ const json = (value: unknown, status = 200): Response =>
 
 function services(state = begin()) {
   const store = createStore(state);
-  return { store, ...createServices(store, { viewPoint: () => [1, 2] }) };
+  return { store, ...createServices(store, { viewPoint: () => [1, 2] }, NO_AR) };
 }
 
 beforeEach(() => {

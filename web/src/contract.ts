@@ -1,6 +1,6 @@
 /** What the parts of the page promise one another. */
 import type { KnowledgeMarginals } from "./model/knowledge";
-import type { Point, State } from "./model/state";
+import type { Ar, Point, State } from "./model/state";
 
 /** A part of the page that shows the state; it owns what it makes and gives it back. */
 export interface View {
@@ -16,6 +16,19 @@ export interface StageView extends View {
   picture(): Promise<Blob>;
 }
 
+/** The room seen through the camera. */
+export interface ArControls {
+  /** Turns the camera on, for a new room or for the one that is drawn; only right after a tap. */
+  start(room: Ar["room"]): Promise<void>;
+  end(): void;
+  /** Does what a tap in the middle of the view does. */
+  mark(): void;
+  /** Asks again where the floor and the room are. */
+  lineUp(): void;
+  /** The room fits its corners in another way too. */
+  turnRound(): void;
+}
+
 /** What the panels can have done that is not a change of the state. */
 export interface Services {
   viewPoint(): Point;
@@ -27,6 +40,7 @@ export interface Services {
   /** What is known of each category; null when the server cannot be reached. */
   fetchKnowledge(): Promise<KnowledgeMarginals | null>;
   shareUrl(): string;
+  readonly ar: ArControls;
 }
 
 /** The models of furniture that have arrived, by digest. */

@@ -9,6 +9,7 @@ import { createServices, fetchRoom } from "./services";
 import { createStore, type Store } from "./store";
 import { mountUi } from "./ui/ui";
 import { Stage } from "./views/stage";
+import { createAr } from "./xr/entry";
 
 const FIRST_ROOM = "living-room";
 const PROBES: readonly (readonly [EventTarget, string])[] = [
@@ -22,7 +23,10 @@ async function start(): Promise<void> {
   const store = createStore(initialState(scene, Date.now()));
   const assets = new AssetCache(fetchAsset);
   const stage = new Stage(element("stage"), store.dispatch, assets);
-  const ui = mountUi(element("ui"), store.dispatch, createServices(store, stage));
+  let probe = (): void => {};
+  const ar = createAr({ stage, store, changed: () => probe() });
+  const viewPoint = () => ar.viewPoint() ?? stage.viewPoint();
+  const ui = mountUi(element("ui"), store.dispatch, createServices(store, { viewPoint }, ar));
   const keep = sceneKeeper();
   store.subscribe((state) => {
     stage.show(state);
@@ -31,11 +35,11 @@ async function start(): Promise<void> {
   });
   stage.show(store.getState());
   ui.show(store.getState());
-  connect(store, assets);
+  probe = connect(store, assets);
 }
 
-/** Keeps a socket to the server for as long as the page lives. */
-function connect(store: Store, assets: AssetCache): void {
+/** Keeps a socket to the server for as long as the page lives; returns how to ask if it is there. */
+function connect(store: Store, assets: AssetCache): () => void {
   const joined = takeSharedSession();
   const live = new Live({
     store,
@@ -55,6 +59,7 @@ function connect(store: Store, assets: AssetCache): void {
     target.addEventListener(event, () => connection.probe());
   }
   connection.start();
+  return () => connection.probe();
 }
 
 /** The session of a shared link, taken out of the address so that a reload does not join again. */

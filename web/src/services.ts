@@ -1,5 +1,5 @@
 /** What the panels can have done: files in and out, rooms by name, pictures, a link. */
-import type { Services, StageView } from "./contract";
+import type { ArControls, Services, StageView } from "./contract";
 import { sceneOf } from "./memory";
 import type { KnowledgeMarginals } from "./model/knowledge";
 import type { SceneRecord } from "./net/protocol.gen";
@@ -11,7 +11,11 @@ const OFFLINE =
   "That needs the server, and it can't be reached now. Try again when you are online.";
 const NO_ROOM = "That room can't be opened now. Try again when you are online.";
 
-export function createServices(store: Store, stage: Pick<StageView, "viewPoint">): Services {
+export function createServices(
+  store: Store,
+  stage: Pick<StageView, "viewPoint">,
+  ar: ArControls,
+): Services {
   const problem = (text: string): void => store.dispatch({ type: "notify", tone: "problem", text });
   const sceneNow = (): SceneRecord => store.getState().scene;
 
@@ -23,6 +27,7 @@ export function createServices(store: Store, stage: Pick<StageView, "viewPoint">
 
   return {
     viewPoint: () => stage.viewPoint(),
+    ar,
 
     saveScene() {
       const text = JSON.stringify(sceneNow(), null, 2);

@@ -6,6 +6,7 @@ import type { Action, State } from "../../../web/src/model/state";
 import { press } from "../../../web/src/ui/keyboard";
 import { follow } from "../../../web/src/ui/local";
 import { INITIAL_LOCAL, type Local, type Page } from "../../../web/src/ui/page";
+import { NO_AR } from "../no_ar";
 
 const PLAIN = { shiftKey: false, ctrlKey: false, metaKey: false, altKey: false };
 
@@ -32,6 +33,7 @@ export function sitDown(initial: State): Desk {
     exportHeatMap: async () => {},
     fetchKnowledge: async () => null,
     shareUrl: () => "http://localhost:8000/",
+    ar: NO_AR,
   };
   function dispatch(action: Action): void {
     const before = state;

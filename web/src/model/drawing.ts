@@ -1,7 +1,21 @@
 /** What a pointer on the floor draws: the outline of a room, boxes, doors and windows. */
 import type { BoxRecord, OpeningRecord } from "../net/protocol.gen";
 import { editBox } from "./editing";
-import { between, direction, distance, dot, leftOf, rounded, subtract } from "./geometry";
+import {
+  add,
+  angleOf,
+  between,
+  direction,
+  distance,
+  dot,
+  leftOf,
+  length,
+  rounded,
+  roundedPoint,
+  scale,
+  subtract,
+  wrapped,
+} from "./geometry";
 import { edited } from "./history";
 import { emptyScene } from "./initial";
 import { likelyCategories } from "./labels";
@@ -63,8 +77,13 @@ export function drawMove(state: State, at: Point, free: boolean): State {
   switch (draft.kind) {
     case "room":
       return { ...state, draft: { ...draft, pointer: assisted(draft.corners, at, free) } };
-    case "box-floor":
-      return { ...state, draft: { ...draft, end: snapPoint(scene, at, free) } };
+    case "box-floor": {
+      const end = snapPoint(scene, at, free);
+      return {
+        ...state,
+        draft: { ...draft, end: draft.side ? across(draft, draft.side, end) : end },
+      };
+    }
     case "box-height":
       return state;
     case "opening":
@@ -91,6 +110,18 @@ export function drawUp(state: State, at: Point, free: boolean): State {
     case "opening":
       return finishOpening(moved, draft);
   }
+}
+
+/** The side from the first corner to here, however it is turned; the next point gives the depth. */
+export function drawSide(state: State, at: Point, free: boolean): State {
+  const { draft, scene } = state;
+  if (draft?.kind !== "box-floor") return state;
+  const side = snapPoint(scene, at, free);
+  const run = subtract(side, draft.start);
+  if (length(run) < MIN_SIDE) return refused(state, "That is the same corner. Mark the next one.");
+  const back = headingFromWall(scene.room, between(draft.start, side, 0.5));
+  const heading = wrapped(angleOf(run) + quarterTurns(back - angleOf(run)));
+  return { ...state, draft: { ...draft, side, end: side, heading } };
 }
 
 /** The height of the drawn box, metres; `done` makes it part of the scene. */
@@ -120,11 +151,9 @@ export function closeOutline(state: State): State {
       .filter(({ opening, moved }) => distance(middleOf(opening), middleOf(moved)) < STAYS)
       .map(({ moved }) => moved);
   const outlined = { ...bare, doors: stay(room.doors), windows: stay(room.windows) };
-  return edited(
-    { ...state, draft: null, tool: "select" },
-    { ...state.scene, room: outlined },
-    true,
-  );
+  // In the real room what stands there is marked next.
+  const tool = state.ar !== null && state.scene.boxes.length === 0 ? "box" : "select";
+  return edited({ ...state, draft: null, tool }, { ...state.scene, room: outlined }, true);
 }
 
 export function removeLastCorner(state: State): State {
@@ -151,6 +180,18 @@ export function draftBox(state: State, draft: Draft & { readonly kind: "box-floo
   };
 }
 
+/** The corner across from the first: beyond the other end of the side, as far as the point is. */
+function across(draft: { readonly start: Point }, side: Point, at: Point): Point {
+  const run = subtract(side, draft.start);
+  const out = leftOf(scale(run, 1 / length(run)));
+  return roundedPoint(add(side, scale(out, dot(subtract(at, side), out))));
+}
+
+/** The whole right angles nearest to an angle, radians. */
+function quarterTurns(angle: number): number {
+  return Math.round(angle / (Math.PI / 2)) * (Math.PI / 2);
+}
+
 function blankOutline(): Draft {
   return { kind: "room", corners: [], pointer: null };
 }
@@ -167,7 +208,9 @@ function addCorner(state: State, draft: Draft & { readonly kind: "room" }): Stat
 
 function finishBox(state: State, box: BoxRecord): State {
   const [category = "Other"] = likelyCategories(box.size, state.lists.categories);
-  const next = editBox({ ...state, draft: null, tool: "select" }, { ...box, category }, true);
+  // In the real room one thing after the other is marked.
+  const tool = state.ar === null ? "select" : "box";
+  const next = editBox({ ...state, draft: null, tool }, { ...box, category }, true);
   if (next.scene === state.scene) return next;
   return { ...next, selection: { kind: "box", id: box.id } };
 }

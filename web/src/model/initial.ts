@@ -57,5 +57,7 @@ export function initialState(scene: SceneRecord, nextId = 1): State {
     notice: null,
     help: false,
     welcome: true,
+    arSupport: "unknown",
+    ar: null,
   };
 }

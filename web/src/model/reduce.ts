@@ -1,6 +1,7 @@
 /** The only thing that makes a new state. */
 import type { SceneRecord } from "../net/protocol.gen";
 import { answered, askRefused, inAnotherRoom, inspected } from "./answers";
+import { carried, changeAr, checkPiece, enterAr, leaveAr, useFound } from "./ar";
 import { confirm, followedUp, stopWaiting } from "./confirming";
 import {
   chooseTool,
@@ -8,6 +9,7 @@ import {
   drawDown,
   drawHeight,
   drawMove,
+  drawSide,
   drawUp,
   newRoom,
   removeLastCorner,
@@ -52,6 +54,7 @@ const BY_ITSELF: ReadonlySet<Action["type"]> = new Set([
   "ask-refused",
   "stop-waiting",
   "graph",
+  "ar-support",
 ] as const);
 
 export function reduce(state: State, action: Action): State {
@@ -93,6 +96,8 @@ function changed(state: State, action: Action): State {
       return drawMove(state, action.at, action.free);
     case "draw-up":
       return drawUp(state, action.at, action.free);
+    case "draw-side":
+      return drawSide(state, action.at, action.free);
     case "draw-height":
       return drawHeight(state, action.height, action.done);
     case "close-outline":
@@ -104,9 +109,9 @@ function changed(state: State, action: Action): State {
     case "cycle-selection":
       return cycleSelection(state, action.by);
     case "place":
-      return place(state, action);
+      return carried(place(state, action));
     case "set-mode":
-      return setMode(state, action.mode, action.view);
+      return carried(setMode(state, action.mode, action.view));
     case "set-size":
       return setSize(state, action.size);
     case "show-alternative":
@@ -137,6 +142,18 @@ function changed(state: State, action: Action): State {
       return notified(state, action.tone, action.text);
     case "dismiss-notice":
       return state.notice === null ? state : { ...state, notice: null };
+    case "ar-support":
+      return { ...state, arSupport: action.support };
+    case "enter-ar":
+      return enterAr(state, action.room, action.granted);
+    case "change-ar":
+      return changeAr(state, action.change);
+    case "leave-ar":
+      return leaveAr(state);
+    case "use-found":
+      return useFound(state);
+    case "check-piece":
+      return checkPiece(state, action.keep);
     case "connection":
       return connected(state, action.connection);
     case "lists":

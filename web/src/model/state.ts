@@ -37,6 +37,8 @@ export type Draft =
       readonly start: Point;
       readonly end: Point;
       readonly heading: number;
+      /** The other end of the side that was marked first, if it was: then the end lies across it. */
+      readonly side?: Point;
     }
   | { readonly kind: "box-height"; readonly box: BoxRecord }
   | {
@@ -143,6 +145,42 @@ export interface Probe {
   readonly likelihood: number | null;
 }
 
+/** Why the real room cannot be shown here; "yes" if it can, "unknown" until the browser has said. */
+export type ArSupport = "unknown" | "yes" | "insecure" | "missing" | "refused";
+
+/** What the device itself knows of the room, in the core frame. */
+export interface Found {
+  /** The outline of the floor; null if it is not known. */
+  readonly corners: readonly Point[] | null;
+  readonly boxes: readonly BoxRecord[];
+}
+
+/** The room seen through the camera, while it is. */
+export interface Ar {
+  /** The floor is looked for, then the corners that place the drawn room, then all is ready. */
+  readonly step: "floor" | "line-up" | "ready";
+  /** Whether a new room is to be outlined, or the drawn one put where it really is. */
+  readonly room: "new" | "known";
+  /** Whether the device sees a surface. */
+  readonly surface: boolean;
+  readonly tracking: "good" | "lost" | "paused";
+  /** The features of the session, by their WebXR names. */
+  readonly granted: readonly string[];
+  /** The first of the two corners that line up the room, once it is marked. */
+  readonly corner: Point | null;
+  /** How many corners of its foot a box is marked by. */
+  readonly marks: 2 | 3;
+  /** Whether nearly right angles are made right. */
+  readonly square: boolean;
+  /** Whether real things hide what stands behind them. */
+  readonly occlusion: boolean;
+  /** Whether what is placed by hand goes where the phone points. */
+  readonly carrying: boolean;
+  readonly found: Found | null;
+  /** The pieces of those found that nobody has looked at yet, by id. */
+  readonly unchecked: readonly string[];
+}
+
 export interface State {
   readonly scene: SceneRecord;
   readonly past: readonly SceneRecord[];
@@ -166,6 +204,9 @@ export interface State {
   readonly help: boolean;
   /** True until the person has done something: the camera turns slowly, one button invites. */
   readonly welcome: boolean;
+  readonly arSupport: ArSupport;
+  /** Null while the room is not seen through the camera. */
+  readonly ar: Ar | null;
 }
 
 export type Action =
@@ -197,6 +238,8 @@ export type Action =
   | { readonly type: "draw-down"; readonly at: Point; readonly free: boolean }
   | { readonly type: "draw-move"; readonly at: Point; readonly free: boolean }
   | { readonly type: "draw-up"; readonly at: Point; readonly free: boolean }
+  /** The other end of the side of a box that was begun. */
+  | { readonly type: "draw-side"; readonly at: Point; readonly free: boolean }
   | { readonly type: "draw-height"; readonly height: number; readonly done: boolean }
   | { readonly type: "close-outline" }
   | { readonly type: "remove-last-corner" }
@@ -229,6 +272,15 @@ export type Action =
   | { readonly type: "touched" }
   | { readonly type: "notify"; readonly tone: Notice["tone"]; readonly text: string }
   | { readonly type: "dismiss-notice" }
+  // the room seen through the camera
+  | { readonly type: "ar-support"; readonly support: ArSupport }
+  | { readonly type: "enter-ar"; readonly room: Ar["room"]; readonly granted: readonly string[] }
+  | { readonly type: "change-ar"; readonly change: Partial<Ar> }
+  | { readonly type: "leave-ar" }
+  /** Takes over what the device knows of the room; its pieces are then to be checked. */
+  | { readonly type: "use-found" }
+  /** The piece in question stays, or it goes. */
+  | { readonly type: "check-piece"; readonly keep: boolean }
   // what came over the socket
   | { readonly type: "connection"; readonly connection: Partial<Connection> }
   | { readonly type: "lists"; readonly lists: Lists }

@@ -1,5 +1,6 @@
 /** What a screen reader is told when the state changes. */
 import type { State } from "../model/state";
+import { arAnnouncement } from "./ar_words";
 import { boxInWords, placedInWords, sceneInWords } from "./whereabouts";
 import { counted, ended, inSentence } from "./words";
 
@@ -7,6 +8,7 @@ import { counted, ended, inSentence } from "./words";
 export function announcement(before: State, after: State): string | null {
   return (
     notice(before, after) ??
+    arAnnouncement(before, after) ??
     room(before, after) ??
     placed(before, after) ??
     placing(before, after) ??

@@ -1,11 +1,13 @@
 /** One plain sentence saying what to do next. */
 import { shownRefusal } from "../model/ghost";
 import type { Draft, State } from "../model/state";
+import { arHint } from "./ar_words";
 
 const FIRST_CORNER = "Mark the first corner of the room.";
 
 /** The sentence for the state; null when nothing needs saying. */
 export function hint(state: State): string | null {
+  if (state.ar !== null) return arHint(state, state.ar);
   if (state.placing !== null) {
     if (state.placing.pose === null) return null;
     if (shownRefusal(state) !== null) return "Drag it to where it can stand.";

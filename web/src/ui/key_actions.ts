@@ -1,6 +1,7 @@
 /** What the keys do, one function an action; false when it means nothing just now. */
 import { add } from "../model/geometry";
 import type { Point } from "../model/state";
+import { markInWords } from "./ar_words";
 import type { Page } from "./page";
 
 const STEP = 0.05; // metres an arrow moves a thing
@@ -44,6 +45,10 @@ export function showAlternative({ state, dispatch }: Page, number: number): bool
 
 export function enter(page: Page): boolean {
   const { state, local, services, dispatch } = page;
+  if (state.ar !== null && markInWords(state, state.ar) !== null) {
+    services.ar.mark();
+    return true;
+  }
   if (state.placing !== null) {
     if (state.placing.pose === null) return false;
     dispatch({ type: "confirm" });
@@ -108,5 +113,24 @@ export function remove({ state, dispatch }: Page): boolean {
 export function duplicate({ state, dispatch }: Page): boolean {
   if (state.selection?.kind !== "box") return false;
   dispatch({ type: "duplicate-selected" });
+  return true;
+}
+
+/** Into the camera view, or out of it. */
+export function switchCamera({ state, services, change }: Page): void {
+  if (state.ar === null) change({ arDoor: true });
+  else services.ar.end();
+}
+
+export function hideOrShow({ state: { ar }, dispatch }: Page): boolean {
+  if (ar === null) return false;
+  dispatch({ type: "change-ar", change: { occlusion: !ar.occlusion } });
+  return true;
+}
+
+/** Takes up what is placed by hand, to go where the phone points. */
+export function pickUp({ state: { ar, placing }, dispatch }: Page): boolean {
+  if (ar === null || placing?.mode !== "manual") return false;
+  dispatch({ type: "change-ar", change: { carrying: !ar.carrying } });
   return true;
 }

@@ -4,11 +4,14 @@ import {
   ARROWS,
   duplicate,
   enter,
+  hideOrShow,
   letGo,
   move,
   type Press,
+  pickUp,
   remove,
   showAlternative,
+  switchCamera,
   switchMode,
   turn,
 } from "./key_actions";
@@ -102,6 +105,27 @@ export const KEYS: readonly KeyBinding[] = [
       const next = { orbit: "top", top: "walk", walk: "orbit" } as const;
       dispatch({ type: "set-camera", camera: next[state.shown.camera] });
     }),
+  },
+  {
+    keys: ["v"],
+    label: "V",
+    group: "Look",
+    words: "Camera: see it in your own room",
+    run: always((page) => switchCamera(page)),
+  },
+  {
+    keys: ["o"],
+    label: "O",
+    group: "Look",
+    words: "Camera: real things hide what is behind",
+    run: (page) => hideOrShow(page),
+  },
+  {
+    keys: ["p"],
+    label: "P",
+    group: "Place",
+    words: "Camera: pick it up, put it down",
+    run: (page) => pickUp(page),
   },
   {
     keys: ["k"],

@@ -2,7 +2,7 @@
 import { html, nothing, type TemplateResult } from "lit";
 import { shownRefusal } from "../model/ghost";
 import { usualSize } from "../model/labels";
-import type { Mode, Placing, Vector3 } from "../model/state";
+import type { Mode, Placing, State, Vector3 } from "../model/state";
 import { formatSize } from "../model/units";
 import { chips, placeable } from "./categories";
 import { button, lengthField, section } from "./controls";
@@ -167,7 +167,15 @@ export function decision({ state, local, dispatch }: Page): TemplateResult | typ
         },
         "primary",
       )}
+      ${pickUpButton(state, dispatch)}
       ${button({ icon: "close", label: "Cancel", keys: "Esc", run: () => dispatch({ type: "cancel" }) })}
     </div>
   </div>`;
+}
+
+/** What is placed by hand in the camera view goes with the phone again. */
+function pickUpButton({ ar, placing }: State, dispatch: Page["dispatch"]) {
+  if (ar === null || ar.carrying || placing?.mode !== "manual") return nothing;
+  const run = (): void => dispatch({ type: "change-ar", change: { carrying: true } });
+  return button({ icon: "hand", label: "Pick it up", keys: "P", run });
 }

@@ -17,6 +17,7 @@ export function situation(page: Page): TemplateResult | typeof nothing {
   const { status, ended } = state.connection;
   if (ended !== null) return pill("problem", ended, reload());
   if (status === "offline") return pill("offline", "Offline. You can go on; I'll catch up.");
+  if (state.ar !== null) return nothing;
   const busy = state.tool !== "select" || state.placing !== null;
   return state.scene.boxes.length === 0 && !busy ? emptyRoom(page) : nothing;
 }
@@ -50,7 +51,7 @@ function emptyRoom({ dispatch }: Page): TemplateResult {
 
 /** One sentence saying what to do next. */
 export function nextStep({ state, local }: Page): TemplateResult | typeof nothing {
-  const guided = local.guide !== "invite" && local.guide !== "done";
+  const guided = state.ar === null && local.guide !== "invite" && local.guide !== "done";
   const words = guided ? null : hint(state);
   return words === null ? nothing : html`<p class="pill hint">${words}</p>`;
 }

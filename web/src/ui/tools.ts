@@ -1,6 +1,7 @@
 /** The tools and the cameras: a column on a desk, a row at the thumb on a phone. */
 import { html, type TemplateResult } from "lit";
 import type { CameraMode, Tool } from "../model/state";
+import { arButton, arControls } from "./ar";
 import { toolButton } from "./controls";
 import { history } from "./header";
 import { icon } from "./icons";
@@ -41,7 +42,9 @@ export function tools(page: Page): TemplateResult {
   </nav>`;
 }
 
-export function cameras({ state, dispatch }: Page): TemplateResult {
+export function cameras(page: Page): TemplateResult {
+  const { state, dispatch } = page;
+  if (state.ar !== null) return arControls(page, state.ar);
   return html`<div class="cameras" role="group" aria-label="How to look">
     ${CAMERAS.map(({ camera, label }) =>
       toolButton({
@@ -52,5 +55,6 @@ export function cameras({ state, dispatch }: Page): TemplateResult {
         run: () => dispatch({ type: "set-camera", camera }),
       }),
     )}
+    ${arButton(page)}
   </div>`;
 }

@@ -5,6 +5,7 @@ import type { Services, View } from "../contract";
 import type { State } from "../model/state";
 import type { Dispatch } from "../store";
 import { announcement } from "./announcements";
+import { arDoor, arPanel, markButton } from "./ar";
 import { drawingPanel } from "./drawing";
 import { header } from "./header";
 import { help } from "./help";
@@ -27,6 +28,8 @@ import { isGuided, welcome } from "./welcome";
 /** What is said waits until nothing newer has come for this long, milliseconds. */
 const CALM = 250;
 
+const PANELS = ".bar, .tools, .panel, .cameras, .card, .toast, .marks, .menu, dialog";
+
 /** Shows the panels in the element and listens to the keys of the window. */
 export function mountUi(element: HTMLElement, dispatch: Dispatch, services: Services): View {
   let state: State | null = null;
@@ -43,10 +46,12 @@ export function mountUi(element: HTMLElement, dispatch: Dispatch, services: Serv
   }
   function draw(state: State): void {
     const focused = element.contains(document.activeElement);
+    document.documentElement.toggleAttribute("data-ar", state.ar !== null);
     render(panels(pageOf(state)), element);
     // What had the focus is gone: the dialog or the panel takes it, so that Tab goes on from there.
     if (focused && document.activeElement === document.body) (inDialog() ?? panel())?.focus();
     syncDialog(element, "help", state.help);
+    syncDialog(element, "ar-door", local.arDoor);
     syncDialog(element, "knowledge", local.knowledgeOf !== null);
     if (topic !== topicOf(state)) element.querySelector(".parts")?.scrollTo(0, 0);
     topic = topicOf(state);
@@ -57,6 +62,7 @@ export function mountUi(element: HTMLElement, dispatch: Dispatch, services: Serv
     if (press(pageOf(state), event)) event.preventDefault();
   };
   window.addEventListener("keydown", onKey);
+  element.addEventListener("beforexrselect", keepFromTheRoom);
   element.replaceChildren(); // the page comes with a picture of its loading
   return {
     show(next) {
@@ -72,6 +78,7 @@ export function mountUi(element: HTMLElement, dispatch: Dispatch, services: Serv
     },
     dispose() {
       window.removeEventListener("keydown", onKey);
+      element.removeEventListener("beforexrselect", keepFromTheRoom);
       insets.dispose();
       render(html``, element);
     },
@@ -83,17 +90,18 @@ export function panels(page: Page): TemplateResult {
   const { state, local } = page;
   const placing = state.placing !== null;
   const drawing = state.tool !== "select";
+  const own = state.ar === null ? null : arPanel(page, state.ar);
   return html`
     ${header(page)} ${tools(page)}
     <section class="over" aria-label="The room, in words and switches">
       ${objectList(page)} ${toast(page)} ${cameras(page)} ${layers(page)}
-      <div class="lower">${situation(page)} ${nextStep(page)} ${welcome(page)}</div>
+      <div class="lower">${situation(page)} ${nextStep(page)} ${welcome(page)} ${markButton(page)}</div>
     </section>
     <aside class="panel" aria-label="Panel" tabindex="-1" data-sheet=${local.sheet}
       data-guided=${isGuided(page)}>
       ${sheetHandle(page)}
       <div class="parts" data-placed=${local.placed !== null}>
-        ${drawing ? drawingPanel(page) : nothing}
+        ${own ?? (drawing ? drawingPanel(page) : nothing)}
         ${drawing || placing ? nothing : selectionPanel(page)}
         ${state.placing === null ? nothing : stepper(page, state.placing)}
         ${drawing ? nothing : placePanel(page)} ${reasonsPanel(page)}
@@ -102,8 +110,14 @@ export function panels(page: Page): TemplateResult {
       </div>
       ${decision(page)}
     </aside>
-    ${help(page)} ${knowledgeDialog(page)}
+    ${help(page)} ${knowledgeDialog(page)} ${arDoor(page)}
   `;
+}
+
+/** A tap on a panel is not one on the room behind it. */
+function keepFromTheRoom(event: Event): void {
+  const { target } = event;
+  if (target instanceof Element && target.closest(PANELS) !== null) event.preventDefault();
 }
 
 /** What is pressed already: Enter on it means the room. */

@@ -9,10 +9,12 @@ import { ended, isNow } from "./words";
 
 /** Whether the card of the first minute is there. */
 export function isGuided({ state, local }: Page): boolean {
+  if (state.ar !== null) return state.ar.step !== "ready";
   return local.guide === "invite" ? state.scene.boxes.length > 0 : local.guide !== "done";
 }
 
 export function welcome(page: Page): TemplateResult | typeof nothing {
+  if (page.state.ar !== null) return nothing;
   switch (page.local.guide) {
     case "invite":
       return page.state.scene.boxes.length === 0 ? nothing : invitation(page);

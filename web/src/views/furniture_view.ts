@@ -31,6 +31,8 @@ export class FurnitureView implements Part {
   readonly #place: [number, number, number] = [0, 0, 0];
   #hung: readonly Piece[] = [];
   #plan = false;
+  /** Whether what is really there is seen through the camera. */
+  #real = false;
   #state: State | null = null;
   #boxes: readonly BoxRecord[] | null = null;
   #hover: string | null = null;
@@ -43,15 +45,20 @@ export class FurnitureView implements Part {
   show(state: State): void {
     this.#state = state;
     const { boxes } = state.scene;
-    if (boxes !== this.#boxes) {
+    const real = state.ar !== null;
+    if (boxes !== this.#boxes || real !== this.#real) {
       this.#boxes = boxes;
+      this.#real = real;
       this.#removeOld(new Set(boxes.map(({ id }) => id)));
-      this.#shadows.show(boxes);
+      this.#shadows.show(real ? boxes.filter(({ placed }) => placed) : boxes);
     }
     for (const box of boxes) {
       this.#showBox(box, state.models[box.id]);
     }
-    this.#plan = state.shown.camera !== "orbit";
+    for (const { box, model } of this.#pieces.values()) {
+      model.root.visible = !real || box.placed === true;
+    }
+    this.#plan = state.shown.camera !== "orbit" || real;
     this.#hung = [...this.#pieces.values()].filter(({ box }) => hangs(box));
     this.#outline(state);
   }
@@ -61,7 +68,8 @@ export class FurnitureView implements Part {
     this.#eye.setFromMatrixPosition(eye.camera.matrixWorld);
     this.root.worldToLocal(this.#eye).toArray(this.#place);
     for (const { box, model } of this.#hung) {
-      model.root.visible = this.#plan || turnedTo(box, this.#place) > SIDEWAYS;
+      const real = this.#real && box.placed !== true;
+      model.root.visible = !real && (this.#plan || turnedTo(box, this.#place) > SIDEWAYS);
     }
     return false;
   }

@@ -14,11 +14,14 @@ export type Gesture =
   | { readonly kind: "grip"; readonly grip: Grip }
   | { readonly kind: "look" };
 
+/** Where on the window something points, and with what. */
+export type Finger = Pick<PointerEvent, "clientX" | "clientY" | "pointerType">;
+
 const TOUCH = 24; // CSS pixels round a handle: 48 across, more than the 44 that fingers need
 const MOUSE = 13;
 
 /** What begins where the pointer goes down. */
-export function gestureAt(state: State, pad: Pad, event: PointerEvent, ray: Ray): Gesture {
+export function gestureAt(state: State, pad: Pad, event: Finger, ray: Ray): Gesture {
   if (state.draft?.kind === "box-height") {
     return { kind: "height" };
   }
@@ -36,7 +39,7 @@ export function gestureAt(state: State, pad: Pad, event: PointerEvent, ray: Ray)
 }
 
 /** The handle nearest to the finger; on the body of a thing only a handle that is hit counts. */
-export function spotAt(state: State, pad: Pad, event: PointerEvent): Spot | null {
+export function spotAt(state: State, pad: Pad, event: Finger): Spot | null {
   let best: Spot | null = null;
   const onBody = isChosen(state, targetAt(state, rayOf(pad, event)));
   let least = onBody || event.pointerType === "mouse" ? MOUSE : TOUCH;

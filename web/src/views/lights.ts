@@ -45,6 +45,8 @@ export class Lights implements Part {
   }
 
   show(state: State): void {
+    // The real floor takes no shadows; what stands on it has one of its own.
+    this.#sun.castShadow = state.ar === null;
     if (state.scene.room !== this.#room) {
       this.#room = state.scene.room;
       this.#fit(this.#room);

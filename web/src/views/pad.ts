@@ -17,6 +17,6 @@ export interface Pad {
   guide(guides: readonly Segment[]): void;
 }
 
-export function rayOf(pad: Pad, event: PointerEvent): Ray {
+export function rayOf(pad: Pad, event: Pick<PointerEvent, "clientX" | "clientY">): Ray {
   return pad.ray(event.clientX, event.clientY);
 }

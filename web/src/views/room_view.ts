@@ -59,6 +59,7 @@ export class RoomView implements Part {
   }
 
   show(state: State): void {
+    this.root.visible = state.ar === null; // there the real room is seen
     this.#plan = state.shown.camera === "top";
     this.#within = state.shown.camera === "walk";
     if (state.scene.room !== this.#room) {

@@ -29,6 +29,7 @@ export class Scenery implements Part {
   readonly #draft: DraftView;
   readonly #graph: GraphView;
   readonly #solids: Solids;
+  readonly #lights: Lights;
   readonly #parts: readonly Part[];
   readonly #lit: readonly { relight(look: Look): void }[];
   #state: State | null = null;
@@ -44,6 +45,7 @@ export class Scenery implements Part {
       }
     });
     const lights = new Lights(look);
+    this.#lights = lights;
     const room = new RoomView(look);
     const handles = new HandlesView();
     const alternatives = new AlternativesView(look);
@@ -94,6 +96,11 @@ export class Scenery implements Part {
   /** What the thing that is dragged has snapped to. */
   guide(guides: readonly Segment[]): void {
     this.#draft.guide(guides);
+  }
+
+  /** Switches its own lights on or off. */
+  light(on: boolean): void {
+    this.#lights.root.visible = on;
   }
 
   /** For another time of the day. */

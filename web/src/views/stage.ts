@@ -1,5 +1,6 @@
 import { type Camera, Color, NeutralToneMapping, PCFShadowMap, Scene, WebGLRenderer } from "three";
 import type { Assets, StageView } from "../contract";
+import type { Segment } from "../model/geometry";
 import type { Action, Point, State, Vector3 } from "../model/state";
 import { Cameras } from "./cameras";
 import type { Insets } from "./framing";
@@ -21,6 +22,18 @@ export interface StageInfo {
   readonly frames: number;
   readonly geometries: number;
   readonly textures: number;
+}
+
+/** What an XR session needs of the picture that it is lent. */
+export interface Lent {
+  readonly renderer: WebGLRenderer;
+  readonly scene: Scene;
+  /** Shows how what is dragged has snapped. */
+  guide(guides: readonly Segment[]): void;
+  /** Lights of the page's own, or none where the real light is known. */
+  light(own: boolean): void;
+  /** One frame. */
+  draw(camera: Camera, elapsed: number): void;
 }
 
 /**
@@ -46,6 +59,7 @@ export class Stage implements StageView {
   #last = 0;
   #moving = false;
   #frames = 0;
+  #isLent = false;
 
   constructor(host: HTMLElement, dispatch: (action: Action) => void, assets: Assets) {
     this.#host = host;
@@ -121,9 +135,38 @@ export class Stage implements StageView {
 
   /** Has a frame drawn soon. While an XR session shows the room, the session does that. */
   invalidate(): void {
-    if (this.#request === 0 && !this.#renderer.xr.isPresenting) {
+    if (this.#request === 0 && !this.#isLent) {
       this.#request = requestAnimationFrame((now) => this.#frame(now));
     }
+  }
+
+  /** Leaves the picture to an XR session, before the camera's image instead of a background. */
+  lend(): Lent {
+    cancelAnimationFrame(this.#request);
+    this.#request = 0;
+    this.#isLent = true;
+    this.#scene.background = null;
+    return {
+      renderer: this.#renderer,
+      scene: this.#scene,
+      guide: (guides) => this.#scenery.guide(guides),
+      light: (own) => {
+        this.#scenery.light(own);
+        this.#scene.environmentIntensity = own ? DAY.environment : 0;
+      },
+      draw: (camera, elapsed) => {
+        this.#eye.pixels = innerHeight;
+        this.#render(camera, elapsed);
+      },
+    };
+  }
+
+  takeBack(): void {
+    this.#isLent = false;
+    this.#moving = false;
+    this.#scenery.light(true);
+    this.#relight(this.#look());
+    this.#resize();
   }
 
   dispose(): void {
@@ -175,13 +218,17 @@ export class Stage implements StageView {
     const turning = this.#cameras.advance(elapsed);
     const camera = this.#cameras.active;
     camera.updateMatrixWorld();
+    return this.#render(camera, elapsed) || turning;
+  }
+
+  #render(camera: Camera, elapsed: number): boolean {
     this.#scene.updateMatrixWorld();
     this.#eye.camera = camera;
     this.#eye.elapsed = elapsed;
     const moving = this.#scenery.update(this.#eye);
     this.#renderer.render(this.#scene, camera);
     this.#frames += 1;
-    return turning || moving;
+    return moving;
   }
 
   #listen(canvas: HTMLCanvasElement): void {
@@ -208,7 +255,7 @@ export class Stage implements StageView {
   }
 
   #relight(look: Look): void {
-    this.#scene.background = new Color(look.background);
+    this.#scene.background = this.#isLent ? null : new Color(look.background);
     this.#scene.environmentIntensity = look.environment;
     this.#renderer.toneMappingExposure = look.exposure;
     this.#renderer.shadowMap.needsUpdate = true;
@@ -218,7 +265,7 @@ export class Stage implements StageView {
 
   #resize(): void {
     const { clientWidth, clientHeight } = this.#host;
-    if (this.#renderer.xr.isPresenting || clientWidth === 0 || clientHeight === 0) {
+    if (this.#isLent || clientWidth === 0 || clientHeight === 0) {
       return;
     }
     this.#resolution.apply();

@@ -43,9 +43,9 @@ export class Veil implements Part {
     this.#color.value.set(look.background);
   }
 
-  show({ tool, draft }: State): void {
+  show({ tool, draft, ar }: State): void {
     const begun = draft?.kind === "room" && draft.corners.length > 0;
-    this.#goal = begun ? DRAWING : tool === "room" ? CHOOSING : 0;
+    this.#goal = ar !== null ? 0 : begun ? DRAWING : tool === "room" ? CHOOSING : 0;
   }
 
   update(eye: Eye): boolean {
