@@ -16,7 +16,7 @@ from starlette.routing import Mount, Route, WebSocketRoute
 from scenegen_core.errors import SceneGenError
 from scenegen_core.knowledge.marginals import marginals
 from server.engine import Engine
-from server.exports import Exports
+from server.exports import NO_MODEL, Exports
 from server.joining import Join, Joining
 from server.live import Live
 from server.page import ALWAYS_ASK, FOREVER, BuiltPage
@@ -33,7 +33,7 @@ def make_app(settings: Settings, world: World, join: Join | None = None) -> Star
         SceneGenError: Its store cannot be opened.
     """
     store, engine = Store(settings.store), Engine()
-    live, exports, files = Live(world, store, engine), Exports(world), Files(world)
+    live, exports, files = Live(world, store, engine), Exports(world, store), Files(world)
     joining = Joining(join)
 
     @asynccontextmanager
@@ -52,6 +52,8 @@ def make_app(settings: Settings, world: World, join: Join | None = None) -> Star
             Route("/scenes/check", exports.check_scene, methods=["POST"]),
             Route("/export/room.glb", exports.room, methods=["POST"]),
             Route("/export/heat-map.png", exports.heat_map, methods=["POST"]),
+            Route("/usdz/{digest}.usdz", exports.model),
+            Route("/usdz/sessions/{session}.usdz", exports.placed),
             Route("/join.json", joining.info),
             Route("/join.svg", joining.picture),
             Route("/health", files.health),
@@ -84,7 +86,7 @@ class Files:
         """A model by the hash of its bytes."""
         glb = self._world.assets.get(request.path_params["digest"])
         if glb is None:
-            raise HTTPException(404, "There is no such model; put its box again.")
+            raise HTTPException(404, NO_MODEL)
         headers = {"Cache-Control": FOREVER}
         return Response(glb, media_type="model/gltf-binary", headers=headers)
 

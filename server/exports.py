@@ -1,4 +1,4 @@
-"""What the page posts and gets back as a file."""
+"""What the page asks for as a file."""
 
 from __future__ import annotations
 
@@ -18,11 +18,16 @@ from scenegen_core.scene.model import Box, Scene
 from server.edits import Vocabulary, edited, wrong_query
 from server.heat_map_png import heat_map_png
 from server.looks import look_of
+from server.page import FOREVER
 from server.protocol import MAX_TEXT_BYTES, Problem, PutScene, Query
-from server.room_model import room_glb
+from server.room_model import boxes_glb, room_glb
+from server.store import Store
 from server.translate import query_of
+from server.usdz import MEDIA_TYPE as USDZ
+from server.usdz import usdz
 from server.world import World
 
+NO_MODEL = "There is no such model; put its box again."
 AT_ONCE = 2  # exports in the making; others wait, so that the rooms on screen stay quick
 
 
@@ -34,10 +39,11 @@ class HeatMapRequest(Struct, frozen=True, forbid_unknown_fields=True):
 
 
 class Exports:
-    """Endpoints: each takes a body of limited size and works off the event loop."""
+    """Endpoints: those that take a body limit its size, all work off the event loop."""
 
-    def __init__(self, world: World) -> None:
+    def __init__(self, world: World, store: Store) -> None:
         self._world = world
+        self._store = store
         self._limiter = CapacityLimiter(AT_ONCE)
 
     async def check_scene(self, request: Request) -> Response:
@@ -52,6 +58,23 @@ class Exports:
         """The heat map of a scene and a query as PNG."""
         return await self._answer(request, self._heat_map, "image/png")
 
+    async def model(self, request: Request) -> Response:
+        """A model by its hash as USDZ."""
+        glb = self._world.assets.get(request.path_params["digest"])
+        if glb is None:
+            raise HTTPException(404, NO_MODEL)
+        content = await to_thread.run_sync(usdz, glb, limiter=self._limiter)
+        return Response(content, media_type=USDZ, headers={"Cache-Control": FOREVER})
+
+    async def placed(self, request: Request) -> Response:
+        """All that was placed in the room of a session as USDZ."""
+        stored = await self._store.load(request.path_params["session"])
+        boxes = [box for box in stored.scene.boxes if box.placed] if stored else []
+        if not boxes:
+            raise HTTPException(404, "Nothing was placed in this room yet; place something first.")
+        content = await to_thread.run_sync(self._usdz, boxes, limiter=self._limiter)
+        return Response(content, media_type=USDZ, headers={"Cache-Control": "no-store"})
+
     async def _answer(
         self, request: Request, work: Callable[[bytes], bytes], media_type: str
     ) -> Response:
@@ -61,6 +84,9 @@ class Exports:
         except RecursionError:
             raise SceneError("That is nested too deeply to be a room; save it again.") from None
         return Response(content, media_type=media_type)
+
+    def _usdz(self, boxes: list[Box]) -> bytes:
+        return usdz(boxes_glb(boxes, self._model))
 
     def _checked(self, body: bytes) -> bytes:
         return write_scene(_scene(decode_scene(body), self._world.words))

@@ -6,7 +6,7 @@ house; there is no ceiling.
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable, Sequence
 from math import cos, sin
 
 import numpy as np
@@ -40,14 +40,40 @@ def room_glb(scene: Scene, model_of: Callable[[Box], bytes]) -> bytes:
     """
     packer = Packer()
     nodes = _shell(packer, scene.room)
+    nodes += _all_furniture(packer, scene.boxes, model_of)
+    return packer.glb([packer.node(scene.name or "room", children=nodes)])
+
+
+def boxes_glb(boxes: Sequence[Box], model_of: Callable[[Box], bytes]) -> bytes:
+    """Furniture as it stands to one another, without a room, round the origin of the floor.
+
+    Args:
+        boxes: At least one.
+        model_of: As for a room.
+
+    Raises:
+        ValueError: A model is not usable; says why.
+    """
+    packer = Packer()
+    centers = to_page(np.array([box.center for box in boxes]))
+    x, _, z = (centers.min(axis=0) + centers.max(axis=0)) / 2
+    nodes = _all_furniture(packer, boxes, model_of)
+    return packer.glb([packer.node("furniture", children=nodes, translation=[-x, 0.0, -z])])
+
+
+def _all_furniture(
+    packer: Packer, boxes: Iterable[Box], model_of: Callable[[Box], bytes]
+) -> list[int]:
+    """The nodes of the models in their boxes."""
+    nodes = []
     guests: dict[bytes, tuple[Guest, Model]] = {}
-    for box in scene.boxes:
+    for box in boxes:
         data = model_of(box)
         if data not in guests:
             model = read_model(data)
             guests[data] = Guest(packer, model.gltf), model
         nodes.append(_furniture(packer, box, *guests[data]))
-    return packer.glb([packer.node(scene.name or "room", children=nodes)])
+    return nodes
 
 
 def _shell(packer: Packer, room: Room) -> list[int]:
