@@ -13,6 +13,7 @@ from scenegen_core.evaluation.names import (
     MEASURES,
     ORIENTATION_SYSTEMS,
     POSITION_SYSTEMS,
+    TAKEN_OUT,
     TASKS,
     UNITS,
     title,
@@ -29,6 +30,15 @@ def joint_by_category(judged: Judged) -> tuple[Table, ...]:
     return tuple(
         _by_system(judged, "joint", measure, f"By category, {MEASURES[measure]}")
         for measure in ("top1", "spread5", "angle")
+    )
+
+
+def emptier_by_category(judged: Judged) -> tuple[Table, ...]:
+    """The joint task in emptier rooms by category: a table for each."""
+    emptier = [(task, words) for task, words in TAKEN_OUT.items() if task != "joint"]
+    return tuple(
+        _by_system(judged, task, "top1", f"By category, {words}, {MEASURES['top1']}")
+        for task, words in emptier
     )
 
 

@@ -118,7 +118,10 @@ def differences(judged: Judged, one: str = "paper") -> Table:
     for name in judged.results["models"]:
         if name == one:
             continue
-        found = {task: paired(judged.records, one, name, task, rng=_rng(judged)) for task in TASKS}
+        found = {
+            task: paired(judged.records, one, name, task, rng=_rng(judged))
+            for task in dict.fromkeys(task for task, _ in ASKED)
+        }
         cells = tuple(Cell(*found[task].get(measure, ())) for task, measure in ASKED)
         if any(c.value is not None for c in cells):
             rows.append(Row(title(name), cells))

@@ -44,7 +44,13 @@ TASKS: dict[Task, str] = {
     "joint": "place and heading both unknown",
     "position": "heading given",
     "orientation": "place given",
+    "joint2": "two taken out",
+    "joint3": "three taken out",
 }
+TAKEN_OUT: dict[Task, str] = {
+    "joint": "one taken out", "joint2": TASKS["joint2"], "joint3": TASKS["joint3"],
+}  # fmt: skip
+"""The joint task by how much of the room is gone."""
 
 FACTS = {
     "collides": "runs into something",

@@ -6,11 +6,14 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 
 from scenegen_core.evaluation import breakdown_tables as breakdowns
+from scenegen_core.evaluation import calibration_tables as calibrations
 from scenegen_core.evaluation import comparison_tables as comparisons
 from scenegen_core.evaluation import report_tables as tables
+from scenegen_core.evaluation.emptier_tables import emptier
 from scenegen_core.evaluation.report_tables import Judged
 from scenegen_core.evaluation.report_words import (
     COMPARABLE,
+    DENSITIES,
     FIVES,
     TASK_WORDS,
     ordering,
@@ -50,6 +53,13 @@ def parts_of(judged: Judged, plots: Mapping[str, str]) -> list[Part]:
             drawn("joint"),
         ),
         Part(
+            "emptier",
+            "Emptier rooms",
+            TASK_WORDS["emptier"],
+            (),
+            _kept(emptier(judged), *breakdowns.emptier_by_category(judged)),
+        ),
+        Part(
             "position",
             "Place, the heading given",
             TASK_WORDS["position"],
@@ -87,6 +97,18 @@ def parts_of(judged: Judged, plots: Mapping[str, str]) -> list[Part]:
         Part("differences", "Differences", "", (), _kept(comparisons.differences(judged))),
         Part(
             "sources", "By source", TASK_WORDS["sources"], (), _kept(*breakdowns.by_source(judged))
+        ),
+        Part(
+            "calibration",
+            "Probabilities",
+            TASK_WORDS["calibration"],
+            (DENSITIES,) if "paper" in calibrations.calibrated(judged) else (),
+            _kept(
+                calibrations.calibration(judged),
+                calibrations.reliability(judged),
+                calibrations.by_category(judged),
+            ),
+            tuple(name for name in plots if name == "reliability"),
         ),
         Part("facts", "Hard facts", TASK_WORDS["facts"], (), _kept(breakdowns.physical(judged))),
     ]

@@ -8,6 +8,7 @@ from typing import Any
 
 import msgspec
 
+from scenegen_core.evaluation.calibration_tables import draw_reliability
 from scenegen_core.evaluation.curves import PLOTS, draw
 from scenegen_core.evaluation.exports import as_csv, as_json, as_latex, as_markdown, provenance
 from scenegen_core.evaluation.names import MEASURES, TASKS
@@ -23,9 +24,7 @@ from scenegen_core.evaluation.page import (
 from scenegen_core.evaluation.parts import Part, parts_of
 from scenegen_core.evaluation.records import Record, Settings
 from scenegen_core.evaluation.report_tables import Judged
-from scenegen_core.evaluation.report_words import (
-    headline,
-)
+from scenegen_core.evaluation.report_words import headline
 from scenegen_core.evaluation.tables import Table
 
 TITLE = "How good is it?"
@@ -41,6 +40,8 @@ def write_report(
     """
     judged = Judged(settings, records, results)
     plots = {curves.id: found for curves in PLOTS if (found := draw(curves, records))}
+    if drawn := draw_reliability(judged):
+        plots["reliability"] = drawn
     parts = parts_of(judged, plots)
     for folder in ("tables", "plots"):
         (out / folder).mkdir(parents=True, exist_ok=True)
@@ -48,8 +49,8 @@ def write_report(
         for row in part.tables:
             for table in row:
                 _write_table(out / "tables", table, settings)
-    for name, drawn in plots.items():
-        (out / "plots" / f"{name}.svg").write_text(drawn, encoding="utf-8")
+    for name, picture in plots.items():
+        (out / "plots" / f"{name}.svg").write_text(picture, encoding="utf-8")
     everything = {"settings": msgspec.to_builtins(settings), **results}
     (out / "results.json").write_bytes(msgspec.json.format(msgspec.json.encode(everything)))
     (out / "results.md").write_text(_markdown(judged, parts), encoding="utf-8")
@@ -71,7 +72,7 @@ def _page(judged: Judged, parts: list[Part], plots: Mapping[str, str]) -> str:
     captions = {
         curves.id: f"{MEASURES[curves.measure]}, {TASKS[curves.task]}: share of objects by error"
         for curves in PLOTS
-    }
+    } | {"reliability": "Reliability: share of places that hold the truth by what they are called"}
     body = [
         "<header>",
         f"<h1>{TITLE}</h1>\n",

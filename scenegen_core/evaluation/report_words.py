@@ -16,6 +16,13 @@ from scenegen_core.knowledge.knowledge import MIN_EXAMPLES
 TASK_WORDS = {
     "joint": "An object is taken out of its room; each system says where it goes and which way it "
     "faces. This is what the program is asked to do, and what it should be judged by.",
+    "emptier": "With the object its nearest neighbor is taken out, or the nearest two (by the gap "
+    "between footprints), and the same is asked of the object alone: less is left of what the "
+    "answer hangs on. Asked of a random half of the objects that share their room with two more.",
+    "calibration": "A system that gives probabilities should be right about them. A place is the "
+    "floor within 0.5 m of an offered pose; it is called with the probability of all possible "
+    "poses there, and holds the truth if the object stood there. Of the places called 20 %, a "
+    "fifth should.",
     "position": "The paper's first task. The true heading is given, which tells much about the "
     "place: a bed that faces a wall's normal stands at that wall.",
     "orientation": "The paper's second task: at the true place, which way does it face? Only of "
@@ -31,6 +38,11 @@ TASK_WORDS = {
 FIVES = (
     "“Nearest of the best 5” is the paper's: its five best are neighbors on the grid. “Nearest of "
     "5 that differ” takes five at least 0.75 m apart, as the program offers them."
+)
+
+DENSITIES = (
+    "The paper's model gives densities and calls them no probabilities; here they are scaled to "
+    "add up to 1 over the possible poses of a room."
 )
 
 COMPARABLE = tuple(

@@ -8,7 +8,7 @@ from typing import Literal
 
 from scenegen_core.evaluation.summary import Means
 
-Unit = Literal["m", "rad", "share", "change", "count"]
+Unit = Literal["m", "rad", "nats", "share", "change", "count", "score"]
 Better = Literal["low", "high", ""]
 
 
@@ -76,7 +76,7 @@ def interval_text(one: Cell, unit: Unit) -> str:
 def number(value: float, unit: Unit) -> str:
     """A number as it is printed."""
     match unit:
-        case "m" | "rad":
+        case "m" | "rad" | "nats":
             return f"{round(value, 2) + 0.0:.2f}".replace("-", "−")  # + 0.0: no negative zero
         case "share":
             return f"{100 * value:.1f} %"
@@ -84,6 +84,8 @@ def number(value: float, unit: Unit) -> str:
             return f"{100 * value:+.1f} %".replace("-", "−")
         case "count":
             return f"{value:.0f}"
+        case "score":
+            return f"{value:.3f}"
 
 
 def best_of_column(table: Table, apart: Iterable[str] = ()) -> Table:

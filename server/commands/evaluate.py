@@ -184,7 +184,7 @@ def _tell(arguments: Namespace, settings: Settings, records: tuple[Record, ...])
 def told(results: Mapping[str, Any]) -> Iterator[str]:
     """The means over all categories as lines of text: a block a task, a line a system."""
     yield f"{results['queries']} objects in {results['rooms']} rooms"
-    for task in ("joint", "position", "orientation"):
+    for task in ("joint", "position", "orientation", "joint2", "joint3"):
         rows = {n: t[task]["overall"] for n, t in results["models"].items() if task in t}
         if rows:
             heads = "".join(f"{measure:>9}" for measure in MEASURES)

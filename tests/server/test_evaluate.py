@@ -66,6 +66,7 @@ def test_the_printed_object_has_the_published_form(
     assert (found["rooms"], found["queries"]) == (12, 24)
     assert set(found) == {"rooms", "queries", "models"}
     assert set(found["models"]) == {"paper", "random_open"}
+    assert set(found["models"]["paper"].pop("calibration")) == {"overall", "Bed", "Storage"}
     for model in found["models"].values():
         assert set(model) == {*TASKS, "physical"}
         assert set(model["physical"]) == {"collides", "outside", "blocks_door", "breaks_path"}

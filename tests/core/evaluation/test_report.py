@@ -11,16 +11,27 @@ import numpy as np
 import pytest
 
 from scenegen_core.errors import DataError
-from scenegen_core.evaluation.breakdown_tables import by_source, physical
+from scenegen_core.evaluation.bench import Task
+from scenegen_core.evaluation.breakdown_tables import by_source, emptier_by_category, physical
+from scenegen_core.evaluation.calibration_tables import by_category, calibration, reliability
 from scenegen_core.evaluation.comparison_tables import differences, skill, steps
 from scenegen_core.evaluation.drawing import need_drawing
-from scenegen_core.evaluation.records import Record
+from scenegen_core.evaluation.emptier_tables import emptier as emptier_table
+from scenegen_core.evaluation.records import Chances, Record
 from scenegen_core.evaluation.report import write_report
 from scenegen_core.evaluation.report_tables import Judged, counts, joint
 from scenegen_core.evaluation.summary import summarize
 from scenegen_core.evaluation.tables import Table
 from tests.core.evaluation.made import FINE, SETTINGS, record
 from tests.core.evaluation.made import joint as joint_errors
+
+
+def emptier(top1: float, *, asked: bool) -> dict[Task, dict[str, float]]:
+    """A metre further off with each thing that is gone."""
+    if not asked:
+        return joint_errors(top1, top1)
+    further: list[tuple[Task, float]] = [("joint", 0), ("joint2", 1), ("joint3", 2)]
+    return {task: joint_errors(top1 + more, top1)["joint"] for task, more in further}
 
 
 def bed(number: int, room: str, paper: float, chance: float, angle: float) -> Record:
@@ -35,10 +46,12 @@ def bed(number: int, room: str, paper: float, chance: float, angle: float) -> Re
             "RP": {"position": {"top1": 2 * paper, "top5": 1.2, "spread5": 0.5}},
             "F": {"orientation": {"angle": 1.7}},
             "random_open": joint_errors(chance, chance / 4, angle=1.5),
+            "rules": emptier(paper, asked=number > 1),
         },
         room=room,
         source="flats" if room == "a" else "homes",
         truth={**FINE, "breaks_path": 1.0},
+        chances={"paper": Chances((0.3, 0.95), (number == 1, True), -2.0, -3.0)},
     )
 
 
@@ -82,7 +95,7 @@ def test_skill_is_the_part_of_the_error_of_chance_that_is_gone(judged: Judged) -
     assert value(table, PAPER, f"{BOTH} best pose") == pytest.approx(0.5)  # 1 m of 2 m
     assert value(table, PAPER, f"{BOTH} angle") == pytest.approx(1 - 0.2 / 1.5)
     assert value(table, PAPER, f"{BOTH} nearest of 5 that differ") == pytest.approx(0)
-    assert [row.name for row in table.rows] == [PAPER]
+    assert [row.name for row in table.rows] == [PAPER, "Hand-written rules"]
 
 
 def test_the_worth_of_relations_is_a_change_of_the_error(judged: Judged) -> None:
@@ -110,6 +123,35 @@ def test_true_places_are_held_to_the_hard_facts_too(judged: Judged) -> None:
     assert value(table, PAPER, "runs into something") == pytest.approx(1 / 3)
     assert value(table, "Where it really stood", "bars a way") == 1
     assert value(table, "Where it really stood", "leaves the room") == 0
+
+
+def test_emptier_rooms_are_held_against_the_same_objects(judged: Judged) -> None:
+    table = emptier_table(judged)
+    assert "the same 2 objects" in table.title
+    assert [row.name for row in table.rows] == ["Hand-written rules"]
+    (one, two, three) = [
+        value(table, "Hand-written rules", f"{many} taken out best pose, m")
+        for many in ("one", "two", "three")
+    ]
+    assert (one, two, three) == pytest.approx((1.3, 2.3, 3.3))  # without the first, at 0.4 m
+    by_category = emptier_by_category(judged)
+    assert [value(t, "Hand-written rules", "Bed") for t in by_category] == [two, three]
+
+
+def test_probabilities_are_shown_by_what_they_call_and_what_holds(judged: Judged) -> None:
+    table = reliability(judged)
+    assert len(table.rows) == 10
+    assert value(table, "30 to 40 %", f"{PAPER} places") == 3
+    assert value(table, "30 to 40 %", f"{PAPER} hold the truth") == pytest.approx(1 / 3)
+    assert value(table, "90 to 100 %", f"{PAPER} called on average") == pytest.approx(0.95)
+    assert value(table, "0 to 10 %", f"{PAPER} hold the truth") is None
+    scores = calibration(judged)
+    assert value(scores, PAPER, "Brier score") == pytest.approx(
+        (0.7**2 + 2 * 0.3**2 + 3 * 0.05**2) / 6
+    )
+    error = (3 * (1 / 3 - 0.3) + 3 * 0.05) / 6
+    assert value(scores, PAPER, "calibration error") == pytest.approx(error)
+    assert value(by_category(judged), "Bed", f"{PAPER} log score, nats") == -2
 
 
 class Links(HTMLParser):
@@ -152,7 +194,7 @@ def test_the_page_stands_alone_and_its_links_lead_somewhere(judged: Judged, tmp_
         known = link[1:] in page.ids if link.startswith("#") else (tmp_path / link).is_file()
         assert known, link
     assert "TV: 3 objects not asked" in text
-    assert text.count("<svg") == 7
+    assert text.count("<svg") == 8
 
 
 def test_our_numbers_and_the_papers_never_share_a_file(judged: Judged, tmp_path: Path) -> None:
@@ -179,6 +221,9 @@ def test_one_system_alone_makes_a_report_too(tmp_path: Path) -> None:
     write_report(tmp_path, SETTINGS, alone, summarize(alone, rng=np.random.default_rng(1)))
     assert not (tmp_path / "tables" / "position.json").exists()
     assert (tmp_path / "tables" / "joint.csv").exists()
+    for absent in ("emptier.csv", "calibration.csv", "reliability.csv"):
+        assert not (tmp_path / "tables" / absent).exists()
+    assert not (tmp_path / "plots" / "reliability.svg").exists()
 
 
 def test_without_matplotlib_a_sentence_says_how_to_get_it(monkeypatch: pytest.MonkeyPatch) -> None:
