@@ -12,6 +12,7 @@ from scenegen_core.evaluation.report_tables import OVERALL, Judged
 from scenegen_core.evaluation.tables import Cell, Column, Row, Table, best_of_column, cell
 
 SIZE = (4.6, 4.8)  # inches
+DOT = 150.0  # square points; a dot that stands for all places, others by their share of them
 
 SCORES: dict[str, Column] = {
     "n": Column("places", "count", better=""),
@@ -99,14 +100,16 @@ def draw_reliability(judged: Judged) -> str | None:
             bins = found[OVERALL]["bins"]
             called, holds = ([b[score] for b in bins] for score in ("called", "holds"))
             low, high = zip(*(b["ci"]["holds"] for b in bins), strict=True)
-            axes.plot(called, holds, color=color, linestyle=dashes, marker="o", label=title(name))
+            share = [b["n"] / found[OVERALL]["n"] for b in bins]
+            axes.plot(called, holds, color=color, linestyle=dashes, label=title(name))
             axes.vlines(called, low, high, color=color, linewidth=1)
+            axes.scatter(called, holds, [DOT * (0.1 + part) for part in share], color=color)
         axes.set(
             xlim=(0, 1),
             ylim=(0, 1),
             xlabel="probability that places are called with",
             ylabel="share of them that hold the truth",
-            title="Reliability",
+            title="Reliability: dots by the number of places",
             aspect="equal",
         )
         axes.grid(alpha=0.25)

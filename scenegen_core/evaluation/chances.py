@@ -23,11 +23,11 @@ def chances(found: Answer) -> Chances:
     The true cell is that of the possible pose nearest to the truth, in space.
     """
     centers, cells = found.table.candidates.centers, found.table.cells
+    possible = found.table.scored
     truth = np.array([found.bench.case.box.center], dtype=float)
     logs = found.scores - logsumexp(found.scores)
     offered = centers[found.picks.spread, :2]
     within = _distances(centers[:, :2], offered) <= NEAR
-    possible = np.flatnonzero(np.isfinite(logs))
     nearest = possible[_distances(centers[possible], truth).argmin()]
     return Chances(
         called=tuple(float(share) for share in np.exp(logs) @ within),

@@ -38,7 +38,10 @@ class System:
     needs_lessons: bool = False
     """Does it look into the rooms that taught?"""
     probabilities: bool = False
-    """Are its joint scores logarithms of probabilities, but for a constant of the room?"""
+    """Are its joint scores, all finite, logarithms of probabilities but for a constant of the room?
+
+    Then the report shows how right they are.
+    """
 
 
 def _paper(position: tuple[str, ...], orientation: tuple[str, ...], part: str) -> Score:
