@@ -7,7 +7,6 @@ from hashlib import blake2b
 from threading import Lock
 
 from server.catalogue import Catalogue
-from server.furniture import furniture_glb
 from server.looks import Look
 
 MAX_BYTES = 128_000_000  # of models kept in memory; the least used go first
@@ -58,6 +57,8 @@ class Assets:
         return self.get(digest)
 
     def _make(self, look: Look) -> str:
+        from server.furniture import furniture_glb  # noqa: PLC0415 (slow to import)
+
         glb = furniture_glb(look.category, look.metres, look.label)
         digest = digest_of(glb)
         with self._lock:

@@ -1,4 +1,7 @@
-"""What the page asks for as a file."""
+"""What the page asks for as a file.
+
+What makes the files is slow to import, and imported when the first one is asked for.
+"""
 
 from __future__ import annotations
 
@@ -16,17 +19,14 @@ from scenegen_core.placement.solve import solve
 from scenegen_core.scene.files import SceneRecord, decode_scene, scene_of, write_scene
 from scenegen_core.scene.model import Box, Scene
 from server.edits import Vocabulary, edited, wrong_query
-from server.heat_map_png import heat_map_png
 from server.looks import look_of
 from server.page import FOREVER
 from server.protocol import MAX_TEXT_BYTES, Problem, PutScene, Query
-from server.room_model import boxes_glb, room_glb
 from server.store import Store
 from server.translate import query_of
-from server.usdz import MEDIA_TYPE as USDZ
-from server.usdz import usdz
 from server.world import World
 
+USDZ = "model/vnd.usdz+zip"
 NO_MODEL = "There is no such model; put its box again."
 AT_ONCE = 2  # exports in the making; others wait, so that the rooms on screen stay quick
 
@@ -63,7 +63,7 @@ class Exports:
         glb = self._world.assets.get(request.path_params["digest"])
         if glb is None:
             raise HTTPException(404, NO_MODEL)
-        content = await to_thread.run_sync(usdz, glb, limiter=self._limiter)
+        content = await to_thread.run_sync(_usdz, glb, limiter=self._limiter)
         return Response(content, media_type=USDZ, headers={"Cache-Control": FOREVER})
 
     async def placed(self, request: Request) -> Response:
@@ -72,7 +72,7 @@ class Exports:
         boxes = [box for box in stored.scene.boxes if box.placed] if stored else []
         if not boxes:
             raise HTTPException(404, "Nothing was placed in this room yet; place something first.")
-        content = await to_thread.run_sync(self._usdz, boxes, limiter=self._limiter)
+        content = await to_thread.run_sync(self._placed, boxes, limiter=self._limiter)
         return Response(content, media_type=USDZ, headers={"Cache-Control": "no-store"})
 
     async def _answer(
@@ -85,16 +85,22 @@ class Exports:
             raise SceneError("That is nested too deeply to be a room; save it again.") from None
         return Response(content, media_type=media_type)
 
-    def _usdz(self, boxes: list[Box]) -> bytes:
-        return usdz(boxes_glb(boxes, self._model))
+    def _placed(self, boxes: list[Box]) -> bytes:
+        from server.room_model import boxes_glb  # noqa: PLC0415
+
+        return _usdz(boxes_glb(boxes, self._model))
 
     def _checked(self, body: bytes) -> bytes:
         return write_scene(_scene(decode_scene(body), self._world.words))
 
     def _room(self, body: bytes) -> bytes:
+        from server.room_model import room_glb  # noqa: PLC0415
+
         return room_glb(_scene(decode_scene(body), self._world.words), self._model)
 
     def _heat_map(self, body: bytes) -> bytes:
+        from server.heat_map_png import heat_map_png  # noqa: PLC0415
+
         try:
             wish = msgspec.json.decode(body, type=HeatMapRequest)
         except msgspec.DecodeError as error:
@@ -111,6 +117,12 @@ class Exports:
         glb = assets.get(assets.digest(look_of(box)))
         assert glb is not None
         return glb
+
+
+def _usdz(glb: bytes) -> bytes:
+    from server.usdz import usdz  # noqa: PLC0415
+
+    return usdz(glb)
 
 
 def _scene(record: SceneRecord, words: Vocabulary) -> Scene:

@@ -20,7 +20,6 @@ from trimesh import Trimesh, load_scene, transform_points, unitize
 from server.furniture.mesh import Floats, Ints
 from server.usda import Part, Surface, stage
 
-MEDIA_TYPE = "model/vnd.usdz+zip"
 ALIGNMENT = 64  # bytes
 HEADER = 30  # bytes before the name of a file in a zip (APPNOTE.TXT, 4.3.7)
 PADDING_ID = 0x1986  # what Pixar's own tools mark the padding with

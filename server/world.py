@@ -8,7 +8,7 @@ from scenegen_core.knowledge.files import default_knowledge, load_knowledge
 from scenegen_core.knowledge.knowledge import Knowledge
 from scenegen_core.placement.answer import MODELS
 from server.assets import Assets
-from server.catalogue import Catalogue, load_catalogue
+from server.catalogue import Catalogue
 from server.edits import Vocabulary
 from server.protocol import Welcome
 from server.rooms import SampleRoom, sample_rooms
@@ -38,6 +38,8 @@ def load_world(settings: Settings) -> World:
     placeable = tuple(info.name for info in categories if info.placeable)
     catalogue = Catalogue()
     if settings.catalogue is not None:
+        from server.catalogue_files import load_catalogue  # noqa: PLC0415 (slow to import)
+
         catalogue = load_catalogue(settings.catalogue, placeable)
     assets = Assets(catalogue)
     return World(

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+import asyncio
 import signal
 import socket
 import sys
@@ -11,6 +12,7 @@ from contextlib import AbstractAsyncContextManager, ExitStack, nullcontext
 from dataclasses import fields, replace
 from datetime import UTC, datetime
 from functools import partial
+from importlib import import_module
 from pathlib import Path
 from secrets import token_urlsafe
 from types import FrameType
@@ -152,6 +154,8 @@ class Server(uvicorn.Server):
         """Begin to answer."""
         await super().startup(sockets)
         self._ready()
+        # Slow to import; the first room needs it, and the page still has to load before that.
+        asyncio.get_running_loop().run_in_executor(None, import_module, "server.furniture")
 
 
 def make_server(

@@ -15,7 +15,8 @@ import trimesh
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from server.catalogue import Catalogue, load_catalogue
+from server.catalogue import Catalogue
+from server.catalogue_files import load_catalogue
 from server.model_file import MAX_DEPTH
 from tests.server.glb_files import bounds, complaints, exported
 
