@@ -79,7 +79,7 @@ export function markButton({ state, services, dispatch }: Page): TemplateResult 
       closable
         ? button({
             icon: "room",
-            label: "Close the room",
+            label: "Close it",
             run: () => dispatch({ type: "close-outline" }),
           })
         : nothing
@@ -160,7 +160,7 @@ function ways({ state, dispatch }: Page, ar: Ar): TemplateResult | typeof nothin
         disabled: state.draft?.kind !== "room" || state.draft.corners.length === 0,
         run: () => dispatch({ type: "remove-last-corner" }),
       })}
-      ${button({ icon: "corner", label: "Right angles", pressed: ar.square, run: set({ square: !ar.square }) })}`;
+      ${button({ icon: "corner", label: "Square", pressed: ar.square, run: set({ square: !ar.square }) })}`;
     case "box":
       return button({
         icon: "corner",

@@ -51,9 +51,16 @@ function emptyRoom({ dispatch }: Page): TemplateResult {
 
 /** One sentence saying what to do next. */
 export function nextStep({ state, local }: Page): TemplateResult | typeof nothing {
-  const guided = state.ar === null && local.guide !== "invite" && local.guide !== "done";
+  if (state.ar !== null) return nothing;
+  const guided = local.guide !== "invite" && local.guide !== "done";
   const words = guided ? null : hint(state);
   return words === null ? nothing : html`<p class="pill hint">${words}</p>`;
+}
+
+/** The same in the camera view: above, where it hides nothing that is pointed at. */
+export function coaching({ state: { ar }, state }: Page): TemplateResult | typeof nothing {
+  const words = ar === null ? null : hint(state);
+  return words === null ? nothing : html`<p class="pill hint coach">${words}</p>`;
 }
 
 /** What happened, until it is dismissed. */

@@ -20,7 +20,7 @@ import { decision, placePanel } from "./place";
 import { reasonsPanel } from "./reasons";
 import { selectionPanel } from "./selection";
 import { sheetHandle } from "./sheet";
-import { nextStep, situation, toast } from "./situation";
+import { coaching, nextStep, situation, toast } from "./situation";
 import { stepper } from "./stepper";
 import { cameras, tools } from "./tools";
 import { isGuided, welcome } from "./welcome";
@@ -94,7 +94,7 @@ export function panels(page: Page): TemplateResult {
   return html`
     ${header(page)} ${tools(page)}
     <section class="over" aria-label="The room, in words and switches">
-      ${objectList(page)} ${toast(page)} ${cameras(page)} ${layers(page)}
+      ${objectList(page)} ${coaching(page)} ${toast(page)} ${cameras(page)} ${layers(page)}
       <div class="lower">${situation(page)} ${nextStep(page)} ${welcome(page)} ${markButton(page)}</div>
     </section>
     <aside class="panel" aria-label="Panel" tabindex="-1" data-sheet=${local.sheet}

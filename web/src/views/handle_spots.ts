@@ -38,7 +38,7 @@ export function spotsOf(state: State): readonly Spot[] {
     case "box":
       return [];
     case "room":
-      return cornerSpots(state);
+      return state.ar === null ? cornerSpots(state) : [];
     case "door":
     case "window": {
       const openings = tool === "door" ? scene.room.doors : scene.room.windows;

@@ -77,6 +77,7 @@ export class Scenery implements Part {
 
   show(state: State): void {
     this.#state = state;
+    this.root.visible = state.ar === null || state.ar.step === "ready";
     for (const part of this.#parts) {
       part.show(state);
     }
