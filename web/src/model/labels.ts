@@ -29,8 +29,16 @@ export function usualSize(category: string, known: readonly CategoryInfo[]): Vec
 export function likelyCategories(size: Vector3, known: readonly CategoryInfo[]): readonly string[] {
   const names = known.length > 0 ? known.map(({ name }) => name) : Object.keys(USUAL_SIZES);
   const rank = (name: string): number =>
-    name === OTHER ? Number.POSITIVE_INFINITY : unlikeness(size, usualSize(name, known));
+    name === OTHER
+      ? Number.POSITIVE_INFINITY
+      : Math.min(...typicalSizes(name, known).map((usual) => unlikeness(size, usual)));
   return names.toSorted((a, b) => rank(a) - rank(b));
+}
+
+/** What was learned is an average of many kinds; the common one of catalogues counts as well. */
+function typicalSizes(category: string, known: readonly CategoryInfo[]): readonly Vector3[] {
+  const common = USUAL_SIZES[category];
+  return [usualSize(category, known), ...(common === undefined ? [] : [common])];
 }
 
 /** How many times bigger or smaller, side by side; which side is the front does not matter. */
