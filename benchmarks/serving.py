@@ -16,6 +16,7 @@ import subprocess
 import sys
 from collections.abc import Iterator
 from contextlib import ExitStack, contextmanager
+from dataclasses import dataclass
 from pathlib import Path
 from statistics import median
 from tempfile import TemporaryDirectory
@@ -123,21 +124,33 @@ def memory(process: int) -> float:
     return sum(own) / 1000
 
 
-def idle(sockets: int, seconds: float) -> tuple[float, float]:
-    """With sockets open: the share of a core that goes into nothing, and megabytes a session."""
+@dataclass(frozen=True)
+class Idle:
+    """A server that nobody talks to, with rooms open."""
+
+    share: float
+    """Of a core."""
+    each: float
+    """Megabytes that one more room takes."""
+    all: float
+    """Megabytes of the program with as many rooms again."""
+
+
+def idle(sockets: int, seconds: float) -> Idle:
+    """Look at a server with that many sockets, then at what as many again weigh."""
     with started() as (process, port, _), ExitStack() as stack:
         answers(port)
-        for number in range(2):  # what is loaded once
-            opened(port, number).socket.close()
-        sleep(SETTLING)
-        before = memory(process)
-        for number in range(sockets):
-            stack.enter_context(opened(port, number).socket)
-        sleep(SETTLING)
-        each = (memory(process) - before) / sockets
-        used = cpu_seconds(process)
-        sleep(seconds)
-        return (cpu_seconds(process) - used) / seconds, each
+        weights = []
+        for wave in range(2):  # the first one also fills the working memory of the threads
+            for number in range(sockets):
+                stack.enter_context(opened(port, wave * sockets + number).socket)
+            sleep(SETTLING)
+            weights.append(memory(process))
+            if wave == 0:
+                begin = cpu_seconds(process)
+                sleep(seconds)
+                share = (cpu_seconds(process) - begin) / seconds
+        return Idle(share, (weights[1] - weights[0]) / sockets, weights[1])
 
 
 def main() -> None:
@@ -151,9 +164,11 @@ def main() -> None:
         for what, values in zip(("answer", "map"), starts(RUNS, cold=cold), strict=True):
             spread = f"{min(values):.2f} to {max(values):.2f}"
             print(f"| first {what}, {name} start | {median(values):.2f} s | {RUNS}: {spread} |")
-    share, each = idle(arguments.sockets, arguments.seconds)
-    print(f"| idle | {100 * share:.2f} % of a core | {arguments.sockets} sockets |")
-    print(f"| memory of a session | {each:.2f} MB | {arguments.sockets} sockets |")
+    found = idle(arguments.sockets, arguments.seconds)
+    number = arguments.sockets
+    print(f"| idle | {100 * found.share:.2f} % of a core | {number} sockets |")
+    print(f"| memory of one more room | {found.each:.2f} MB | {number} more |")
+    print(f"| memory of all | {found.all:.0f} MB | {2 * number} rooms |")
 
 
 if __name__ == "__main__":
