@@ -16,7 +16,7 @@ from starlette.responses import Response
 
 from scenegen_core.errors import SceneError, SceneGenError
 from scenegen_core.placement.solve import solve
-from scenegen_core.scene.files import SceneRecord, decode_scene, scene_of, write_scene
+from scenegen_core.scene.files import SceneRecord, decode_scene, record_of, scene_of, write_scene
 from scenegen_core.scene.model import Box, Scene
 from server.edits import Vocabulary, edited, wrong_query
 from server.looks import look_of
@@ -47,7 +47,7 @@ class Exports:
         self._limiter = CapacityLimiter(AT_ONCE)
 
     async def check_scene(self, request: Request) -> Response:
-        """A scene file as this program writes it; 422 says what is wrong with it."""
+        """A scene file or a device's capture as our scene file; 422 says what is wrong with it."""
         return await self._answer(request, self._checked, "application/json")
 
     async def room(self, request: Request) -> Response:
@@ -91,7 +91,11 @@ class Exports:
         return _usdz(boxes_glb(boxes, self._model))
 
     def _checked(self, body: bytes) -> bytes:
-        return write_scene(_scene(decode_scene(body), self._world.words))
+        from server.captures import read_capture  # noqa: PLC0415
+
+        captured = read_capture(body)
+        record = decode_scene(body) if captured is None else record_of(captured)
+        return write_scene(_scene(record, self._world.words))
 
     def _room(self, body: bytes) -> bytes:
         from server.room_model import room_glb  # noqa: PLC0415

@@ -20,6 +20,7 @@ from server.settings import Settings
 from server.world import World
 from tests.server.driving import ROOM, SCENE, TABLE, browser
 
+ROOMPLAN = Path(__file__).parents[1] / "fixtures" / "roomplan_two_stories.json"
 LIVING_ROOM = Path(__file__).parents[1] / "fixtures" / "living_room.json"
 
 
@@ -110,6 +111,31 @@ def test_a_scene_file_is_checked_and_comes_back_as_this_program_writes_it(
     checked = read_scene(response.content)
     assert checked.room.corners == ROOM.corners
     assert [box.id for box in checked.boxes] == ["table"]
+
+
+def test_a_scan_of_roomplan_comes_back_as_a_scene(client: TestClient) -> None:
+    response = client.post("/scenes/check", content=ROOMPLAN.read_bytes())
+    scanned = read_scene(response.content)
+    assert scanned.name == "Scanned room"
+    assert {box.id: box.category for box in scanned.boxes} == {
+        "SOFA": "Sofa",
+        "STORAGE": "Storage",
+        "TV": "TV",
+        "TABLE": "Table",
+        "CHAIR": "Chair",
+        "STOOL": "Chair",
+        "FRIDGE": "Storage",
+        "TANK": "Other",
+    }
+
+
+def test_a_scan_without_a_room_is_refused_in_words(client: TestClient) -> None:
+    scan = json.loads(ROOMPLAN.read_text())
+    response = client.post("/scenes/check", json=scan | {"walls": [], "floors": []})
+    assert response.status_code == 422
+    text = response.json()["text"]
+    assert "scan" in text
+    assert "/" not in text  # no path of the server
 
 
 @pytest.mark.parametrize(
