@@ -8,12 +8,13 @@ from collections.abc import Iterator
 from io import BytesIO
 from math import pi
 from pathlib import Path
+from zipfile import ZIP_STORED, ZipFile
 
 import numpy as np
 import pytest
 import trimesh
 from PIL import Image
-from pxr import Usd, UsdGeom, UsdShade
+from pxr import Usd, UsdGeom, UsdShade, UsdValidation
 from starlette.testclient import TestClient
 
 from scenegen_core.scene.model import PAPER_CATEGORIES, Box, Room, Scene
@@ -103,6 +104,25 @@ def test_files_inside_are_stored_and_begin_at_multiples_of_64_bytes() -> None:
     assert [name for name, *_ in files] == ["model.usda", "textures/0.png"]
     assert [(method, begin % 64) for _, method, begin, _ in files] == [(0, 0), (0, 0)]
     assert files[0][3].startswith(b"#usda 1.0\n")
+
+
+def complaints(stage: Usd.Stage) -> set[str]:
+    """What all of Pixar's validators say."""
+    validators = UsdValidation.ValidationRegistry().GetOrLoadAllValidators()
+    found = UsdValidation.ValidationContext(validators).Validate(stage)
+    return {error.GetName() for error in found}
+
+
+def test_pixars_validators_find_nothing(tmp_path: Path) -> None:
+    for data in (usdz(SOFA), usdz(textured()), usdz(boxes_glb((CHAIR, LAMP, PICTURE), model))):
+        assert complaints(opened(data, tmp_path)) == set()
+
+
+def test_pixars_validators_would_find_what_is_out_of_line(tmp_path: Path) -> None:
+    file = BytesIO()
+    with ZipFile(file, "w", ZIP_STORED) as zipped:
+        zipped.writestr("model.usda", stored_files(usdz(SOFA))[0][3])
+    assert "ByteMisalignment" in complaints(opened(file.getvalue(), tmp_path))
 
 
 def test_the_same_model_gives_the_same_bytes() -> None:
