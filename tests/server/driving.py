@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import subprocess
+import sys
 from collections.abc import Iterator
 from contextlib import contextmanager
 from struct import unpack_from
@@ -35,6 +37,7 @@ from server.settings import Settings
 from server.world import World
 
 M = TypeVar("M", bound=Struct)
+SERVE = (sys.executable, "-m", "server.cli", "serve")
 PATIENCE = 60.0  # seconds; only a server that hangs takes longer
 
 ROOM = RoomRecord(corners=((0.0, 0.0), (5.0, 0.0), (5.0, 4.0), (0.0, 4.0)))
@@ -90,6 +93,22 @@ def closed(socket: Page) -> tuple[int, str]:
 def _read_on(socket: Page) -> None:
     while True:
         socket.next()
+
+
+@contextmanager
+def started(*arguments: str) -> Iterator[tuple[subprocess.Popen[str], str]]:
+    """The running program and what it printed before it was ready."""
+    with subprocess.Popen(
+        [*SERVE, *arguments], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True
+    ) as process:
+        assert process.stdout is not None
+        printed = ""
+        try:
+            while "Stop with" not in printed and (line := process.stdout.readline()):
+                printed += line
+            yield process, printed
+        finally:
+            process.kill()
 
 
 @contextmanager

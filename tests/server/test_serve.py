@@ -6,10 +6,6 @@ import re
 import signal
 import socket
 import ssl
-import subprocess
-import sys
-from collections.abc import Iterator
-from contextlib import contextmanager
 from email.message import Message
 from pathlib import Path
 from urllib.error import HTTPError
@@ -21,25 +17,7 @@ from websockets.typing import Origin, Subprotocol
 
 from server.cli import main
 from server.protocol import SUBPROTOCOL
-from tests.server.driving import Page, page
-
-SERVE = (sys.executable, "-m", "server.cli", "serve")
-
-
-@contextmanager
-def started(*arguments: str) -> Iterator[tuple[subprocess.Popen[str], str]]:
-    """The running program and what it printed before it was ready."""
-    with subprocess.Popen(
-        [*SERVE, *arguments], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True
-    ) as process:
-        assert process.stdout is not None
-        printed = ""
-        try:
-            while "Stop with" not in printed and (line := process.stdout.readline()):
-                printed += line
-            yield process, printed
-        finally:
-            process.kill()
+from tests.server.driving import Page, page, started
 
 
 @pytest.mark.parametrize("signum", [signal.SIGINT, signal.SIGTERM])

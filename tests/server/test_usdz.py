@@ -53,11 +53,9 @@ def stored_files(data: bytes) -> list[tuple[str, int, int, bytes]]:
 
 
 def opened(data: bytes, directory: Path) -> Usd.Stage:
-    path = directory / "model.usdz"
+    path = directory / f"{len(list(directory.iterdir()))}.usdz"  # what was read once stays read
     path.write_bytes(data)
-    stage = Usd.Stage.Open(str(path))
-    stage.Reload()
-    return stage
+    return Usd.Stage.Open(str(path))
 
 
 def meshes(stage: Usd.Stage) -> list[UsdGeom.Mesh]:
