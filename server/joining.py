@@ -3,13 +3,21 @@
 from __future__ import annotations
 
 import io
+from collections.abc import Sequence
 from dataclasses import dataclass
+from secrets import token_urlsafe
+from typing import TYPE_CHECKING
 
 import segno
 from starlette.requests import Request
 from starlette.responses import JSONResponse, Response
 
+from server.network import ANY, lan_names
 from server.security import JOIN
+from server.settings import Settings
+
+if TYPE_CHECKING:
+    from server.certificate import Certificate
 
 SCAN = "Scan this with a phone in the same network."
 NOT_OPEN = "This server is open to its own machine only. For phones, start it with: make run LAN=1"
@@ -62,3 +70,36 @@ def terminal_code(address: str) -> str:
     text = io.StringIO()
     segno.make(address, micro=False).terminal(text, border=2, compact=True)
     return text.getvalue()
+
+
+def way_in(
+    settings: Settings,
+    certificate: Certificate | None,
+    *,
+    port: int,
+    guide_port: int | None = None,
+) -> Join | None:
+    """How other machines come in; None if they cannot reach the server."""
+    if settings.loopback:
+        return None
+    host = settings.host
+    if host in ANY:
+        host = _reached_by(certificate.names if certificate else lan_names())
+    scheme = "https" if certificate else "http"
+    return Join(
+        token=certificate.token if certificate else token_urlsafe(),
+        base=f"{scheme}://{bracketed(host)}:{port}",
+        guide=f"http://{bracketed(host)}:{guide_port}" if guide_port else None,
+    )
+
+
+def bracketed(host: str) -> str:
+    """The host as it stands in an address."""
+    return f"[{host}]" if ":" in host else host
+
+
+def _reached_by(names: Sequence[str]) -> str:
+    """Which of a certificate's names to show: an address of this machine if it has one."""
+    here = [name for name in lan_names() if name in names]
+    named = [name for name in names if "*" not in name]
+    return next(iter([*here, *named, *lan_names()]))

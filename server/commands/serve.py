@@ -7,14 +7,13 @@ import asyncio
 import signal
 import socket
 import sys
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from contextlib import AbstractAsyncContextManager, ExitStack, nullcontext
 from dataclasses import fields, replace
 from datetime import UTC, datetime
 from functools import partial
 from importlib import import_module
 from pathlib import Path
-from secrets import token_urlsafe
 from types import FrameType
 from typing import TYPE_CHECKING
 
@@ -22,9 +21,10 @@ import uvicorn
 
 from scenegen_core.errors import SceneGenError
 from server.app import make_app
+from server.commands.greeting import greeting
 from server.guide import serving_guide
-from server.joining import Join, terminal_code
-from server.network import ANY, EVERYWHERE, lan_names
+from server.joining import Join, way_in
+from server.network import EVERYWHERE, lan_names
 from server.protocol import MAX_TEXT_BYTES
 from server.settings import Settings
 from server.world import World, load_world
@@ -33,7 +33,6 @@ if TYPE_CHECKING:
     from server.certificate import Certificate
 
 Beside = AbstractAsyncContextManager[None]
-STOP = "Stop with Ctrl+C."
 LAST_PORT = 65535
 SWITCH_INTERVAL = 0.0005  # seconds; work in other threads then hardly delays acknowledgements
 LARGEST_FRAME = 4 * MAX_TEXT_BYTES  # bytes; up to here a sentence answers, beyond the socket closes
@@ -72,7 +71,8 @@ def run(arguments: argparse.Namespace) -> int:
         port, guide = listener.getsockname()[1], None
         if certificate is not None and settings.cert is None:
             guide = sockets.enter_context(listen(settings.host, following(settings.port)))
-        join = way_in(settings, certificate, port=port, guide=guide)
+        guide_port = guide.getsockname()[1] if guide else None
+        join = way_in(settings, certificate, port=port, guide_port=guide_port)
         text = greeting(settings, world, port=port, join=join, certificate=certificate)
         server = make_server(
             settings,
@@ -101,27 +101,6 @@ def certificate_of(settings: Settings) -> Certificate | None:
     if settings.cert is None:
         return kept_certificate(settings.own_cert, lan_names(), now=now)
     return read_certificate(settings.cert, settings.key or settings.cert, now=now)
-
-
-def way_in(
-    settings: Settings,
-    certificate: Certificate | None,
-    *,
-    port: int,
-    guide: socket.socket | None = None,
-) -> Join | None:
-    """How other machines come in; None if they cannot reach the server."""
-    if settings.loopback:
-        return None
-    host = settings.host
-    if host in ANY:
-        host = _reached_by(certificate.names if certificate else lan_names())
-    scheme = "https" if certificate else "http"
-    return Join(
-        token=certificate.token if certificate else token_urlsafe(),
-        base=f"{scheme}://{bracketed(host)}:{port}",
-        guide=f"http://{bracketed(host)}:{guide.getsockname()[1]}" if guide else None,
-    )
 
 
 def listen(host: str, port: int) -> socket.socket:
@@ -183,39 +162,6 @@ def make_server(
     return Server(config, ready, beside or nullcontext())
 
 
-def greeting(
-    settings: Settings,
-    world: World,
-    *,
-    port: int,
-    join: Join | None = None,
-    certificate: Certificate | None = None,
-) -> str:
-    """What the terminal shows: the addresses, what is loaded, how to stop."""
-    host = "localhost" if settings.host in ANY else bracketed(settings.host)
-    url = f"{'https' if certificate else 'http'}://{host}:{port}"
-    if join is None:
-        way = [terminal_code(url), "This address and its code work on this machine only."]
-        way.append("To open it on a phone, add --lan (make run LAN=1).")
-    else:
-        way = [f"On a phone in the same network, scan this or open {join.address}"]
-        way += [terminal_code(join.address), "Whoever has this address can join."]
-    if certificate is not None:
-        way.append(f"Fingerprint of the certificate (SHA-256): {certificate.fingerprint}")
-    return "\n".join([f"SceneGen is open at {url}", *way, *_loaded(world), STOP])
-
-
-def _loaded(world: World) -> list[str]:
-    examples = sum(info.examples for info in world.lists.categories)
-    known = ", ".join(f"{source.name} ({source.rooms})" for source in world.knowledge.sources)
-    rooms = sum(source.rooms for source in world.knowledge.sources)
-    lines = [f"Knowledge: {examples} examples from {rooms} rooms: {known}"]
-    lines.append(f"Rooms to open: {len(world.rooms)}")
-    if world.catalogue.items or world.catalogue.problems:
-        lines.append(f"Catalogue: {len(world.catalogue.items)} models")
-    return [*lines, *(f"  left out: {problem}" for problem in world.catalogue.problems)]
-
-
 def _settings(arguments: argparse.Namespace) -> Settings:
     """What the arguments ask for; SceneGenError if they do not go together."""
     settings = Settings(**{f.name: getattr(arguments, f.name) for f in fields(Settings)})
@@ -224,18 +170,6 @@ def _settings(arguments: argparse.Namespace) -> Settings:
     if settings.lan and settings.loopback:
         return replace(settings, host=EVERYWHERE)
     return settings
-
-
-def _reached_by(names: Sequence[str]) -> str:
-    """Which of a certificate's names to show: an address of this machine if it has one."""
-    here = [name for name in lan_names() if name in names]
-    named = [name for name in names if "*" not in name]
-    return next(iter([*here, *named, *lan_names()]))
-
-
-def bracketed(host: str) -> str:
-    """The host as it stands in an address."""
-    return f"[{host}]" if ":" in host else host
 
 
 def following(port: int) -> int:
