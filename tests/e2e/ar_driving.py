@@ -8,12 +8,13 @@ from __future__ import annotations
 
 import json
 import math
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
+from itertools import pairwise
 from typing import Any
 
-from playwright.sync_api import Browser, Locator, expect
+from playwright.sync_api import Browser, Locator, Page, WebSocket, expect
 
 from tests.e2e.conftest import PATIENCE, PHONE, ROOT
 from tests.e2e.driving import Desk, Record
@@ -83,7 +84,9 @@ def _sides(scene: Record) -> Iterator[tuple[list[float], list[float]]]:
 
 
 def _floor(corners: list[list[float]], frame: Frame) -> Record:
-    (low_x, high_x), (low_y, high_y) = ((min(axis), max(axis)) for axis in zip(*corners, strict=True))
+    (low_x, high_x), (low_y, high_y) = (
+        (min(axis), max(axis)) for axis in zip(*corners, strict=True)
+    )
     middle = ((low_x + high_x) / 2, (low_y + high_y) / 2, 0.0)
     width, depth = high_x - low_x, high_y - low_y
     # A plane's rectangle is turned into XZ with its normal along -y: turned once more it looks up.
@@ -149,6 +152,17 @@ class Phone(Desk):
     steps = 0
     eye: Place = (0.0, 0.0, 1.5)
 
+    def __init__(self, page: Page) -> None:
+        super().__init__(page)
+        self.binary_sent = 0
+        page.on("websocket", self._count)
+
+    def _count(self, socket: WebSocket) -> None:
+        def note(data: str | bytes) -> None:
+            self.binary_sent += not isinstance(data, str)
+
+        socket.on("framesent", note)
+
     # --- what can be seen -------------------------------------------------------------------------
 
     @property
@@ -212,6 +226,62 @@ class Phone(Desk):
         self.look(target, eye)
         self.tap()
 
+    def thing_at(self, target: Place, eye: Place) -> str:
+        """The kind of thing that a tap on a place selects; empty for nothing."""
+        self.page.keyboard.press("Escape")  # no handles are in the way
+        self.tap_at(target, eye)
+        chosen = self.things.and_(self.page.locator('[aria-selected="true"]'))
+        if chosen.count() == 0:
+            return ""
+        words = chosen.inner_text().strip()
+        return next((name for name in LABELS if words.lower().startswith(name.lower())), words)
+
+    def inspected(self) -> Record:
+        """The pose of the ghost that the server was asked about last, once it has answered."""
+        self.rest(6)
+        self.verdict()
+        return self.last_sent("inspect") or {}
+
+    def drag(self, start: tuple[float, float], end: tuple[float, float]) -> None:
+        """Moves one finger over the screen."""
+        self._touch([start], [end])
+
+    def two_fingers(
+        self, middle: tuple[float, float], *, radius: float, start: float, end: float
+    ) -> None:
+        """Turns two fingers about a place, clockwise, from one angle to another in degrees."""
+
+        def fingers(degrees: float) -> list[tuple[float, float]]:
+            u, v = math.cos(math.radians(degrees)), math.sin(math.radians(degrees))
+            return [
+                (middle[0] + sign * radius * u, middle[1] + sign * radius * v) for sign in (1, -1)
+            ]
+
+        self._touch(*(fingers(start + (end - start) * i / 4) for i in range(5)))
+
+    def _touch(self, *stages: list[tuple[float, float]]) -> None:
+        self.steps += 1
+        client = self.page.context.new_cdp_session(self.page)
+
+        def send(kind: str, points: list[tuple[float, float]]) -> None:
+            touches = [{"x": x, "y": y, "id": i} for i, (x, y) in enumerate(points)]
+            client.send("Input.dispatchTouchEvent", {"type": kind, "touchPoints": touches})
+            self.rest(3)
+
+        send("touchStart", stages[0])
+        for before, after in pairwise(stages):
+            for step in (0.5, 1.0):
+                send(
+                    "touchMove",
+                    [
+                        (a[0] + (b[0] - a[0]) * step, a[1] + (b[1] - a[1]) * step)
+                        for a, b in zip(before, after, strict=True)
+                    ],
+                )
+        send("touchEnd", [])
+        self.page.wait_for_function("() => !window.phone.touched")
+        client.detach()
+
     def start_camera(self, way: str = "Start in a new room") -> None:
         """Goes into the camera view."""
         self.press("Camera")
@@ -230,13 +300,13 @@ class Phone(Desk):
 
     def mark_box(self, box: Record) -> None:
         """Three corners of its foot and its top edge, from the side that can be seen."""
-        a, b, c, top, eye = seen_corners(box, self.eye)
+        a, b, c, top, eye = seen_corners(box)
         for corner in (a, b, c):
             self.tap_at(corner, eye)
         self.tap_at(top, eye)
 
 
-def seen_corners(box: Record, eye: Place) -> tuple[Place, Place, Place, Place, Place]:
+def seen_corners(box: Record) -> tuple[Place, Place, Place, Place, Place]:
     """Two corners of the foot at the front, one at the back, the top edge, and where to stand."""
     depth, width, height = box["size"]
     heading = box.get("heading", 0.0)
@@ -264,9 +334,16 @@ def seen_corners(box: Record, eye: Place) -> tuple[Place, Place, Place, Place, P
 
 @contextmanager
 def phone_at(
-    browser: Browser, url: str, *, features: list[str] | None = None, query: str = ""
+    browser: Browser,
+    url: str,
+    *,
+    features: list[str] | None = None,
+    prepare: Callable[[Page], object] = id,
 ) -> Iterator[Phone]:
-    """The page on an emulated phone, greeted and connected; it must complain of nothing."""
+    """The page on an emulated phone, greeted and connected; it must complain of nothing.
+
+    ``prepare`` does what has to be done to the page before it opens.
+    """
     expect.set_options(timeout=PATIENCE * 1000)
     context = browser.new_context(
         viewport=PHONE, has_touch=True, is_mobile=True, reduced_motion="reduce"
@@ -279,8 +356,9 @@ def phone_at(
     source = "\n;".join(script.read_text() for script in SCRIPTS)
     granted = "undefined" if features is None else json.dumps(features)
     page.add_init_script(f"{source}\n;window.phone = installPhone({granted});")
+    prepare(page)
     phone = Phone(page)
-    page.goto(url + query)
+    page.goto(url)
     phone.close_greeting()
     yield phone
     context.close()

@@ -57,7 +57,7 @@ export function drawDown(state: State, at: Point, free: boolean): State {
     case "room":
       return drawMove(state, at, free);
     case "box": {
-      const start = snapPoint(state.scene, at, free);
+      const start = snapped(state, at, free);
       const heading = free ? 0 : headingFromWall(state.scene.room, start);
       return {
         ...state,
@@ -74,13 +74,13 @@ export function drawDown(state: State, at: Point, free: boolean): State {
 }
 
 export function drawMove(state: State, at: Point, free: boolean): State {
-  const { draft, scene } = state;
+  const { draft } = state;
   if (draft === null) return state;
   switch (draft.kind) {
     case "room":
       return { ...state, draft: { ...draft, pointer: assisted(draft.corners, at, free) } };
     case "box-floor": {
-      const end = snapPoint(scene, at, free);
+      const end = snapped(state, at, free);
       return {
         ...state,
         draft: { ...draft, end: draft.side ? across(draft, draft.side, end) : end },
@@ -118,7 +118,7 @@ export function drawUp(state: State, at: Point, free: boolean): State {
 export function drawSide(state: State, at: Point, free: boolean): State {
   const { draft, scene } = state;
   if (draft?.kind !== "box-floor") return state;
-  const side = snapPoint(scene, at, free);
+  const side = snapped(state, at, free);
   const run = subtract(side, draft.start);
   if (length(run) < MIN_SIDE) return refused(state, "That is the same corner. Mark the next one.");
   const back = headingFromWall(scene.room, between(draft.start, side, 0.5));
@@ -207,6 +207,14 @@ function backed({ scene }: State, box: BoxRecord): BoxRecord {
 /** The whole right angles nearest to an angle, radians. */
 function quarterTurns(angle: number): number {
   return Math.round(angle / (Math.PI / 2)) * (Math.PI / 2);
+}
+
+/**
+ * The point on what it snaps to. What is marked by three corners stands as it likes: a chair that
+ * is pulled askew under a table is near to its edge but not at it, so only the walls count.
+ */
+function snapped({ scene, ar }: State, at: Point, free: boolean): Point {
+  return snapPoint(ar?.marks === 3 ? { ...scene, boxes: [] } : scene, at, free);
 }
 
 function blankOutline(): Draft {

@@ -13,7 +13,7 @@ export const MAX_SESSIONS_AN_ADDRESS = 32;
 export const MAX_BOXES = 500;
 export const MAX_CORNERS = 200;
 
-export type ModelName = "paper";
+export type ModelName = "paper" | "scenegen";
 export type Surface = "floor" | "tops" | "walls";
 
 /** A door or window: a segment on the outline from `bottom` to `top`, metres. */

@@ -6,6 +6,7 @@ import { foundInWords, markInWords, obstacleInWords } from "./ar_words";
 import { chips } from "./categories";
 import { button, iconButton, section, toolButton } from "./controls";
 import type { Page } from "./page";
+import { selectionPanel } from "./selection";
 import { inSentence } from "./words";
 
 /** The way in, beside the other ways to look at the room. */
@@ -124,7 +125,7 @@ function check(page: Page, ar: Ar): TemplateResult {
         <span class="quiet">${left} to look at</span>
         ${button({ icon: "check", label: "Keep all", run: () => dispatch({ type: "change-ar", change: { unchecked: [] } }) }, "quiet")}
       </div>
-      ${box === undefined ? nothing : labels(page, box.id)}`,
+      ${box === undefined || page.local.sheet !== "peek" ? selectionPanel(page) : labels(page, box.id)}`,
     "checking",
   );
 }

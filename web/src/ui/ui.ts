@@ -102,7 +102,7 @@ export function panels(page: Page): TemplateResult {
       ${sheetHandle(page)}
       <div class="parts" data-placed=${local.placed !== null}>
         ${own ?? (drawing ? drawingPanel(page) : nothing)}
-        ${drawing || placing ? nothing : selectionPanel(page)}
+        ${own !== null || drawing || placing ? nothing : selectionPanel(page)}
         ${state.placing === null ? nothing : stepper(page, state.placing)}
         ${drawing ? nothing : placePanel(page)} ${reasonsPanel(page)}
         ${state.placing === null ? nothing : knowledgeButton(page, state.placing.category)}

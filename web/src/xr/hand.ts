@@ -23,6 +23,8 @@ interface Press {
   readonly gesture: Gesture | null;
   ray: Ray;
   moved: boolean;
+  /** It is or was one of two fingers: by itself it means nothing. */
+  paired: boolean;
   /** The last action of a drag, to be sent once more as the final one. */
   last: Action | null;
 }
@@ -58,7 +60,9 @@ export class Hand {
     const finger = this.#fingerOf(ray);
     const gesture = isMarking(this.#state) ? null : gestureAt(this.#state, this.#pad, finger, ray);
     const place: Point = [finger.clientX, finger.clientY];
-    this.#presses.push({ id, start: ray, place, gesture, ray, moved: false, last: null });
+    const paired = this.#presses.length > 0;
+    this.#presses.push({ id, start: ray, place, gesture, ray, moved: false, paired, last: null });
+    if (paired) for (const press of this.#presses) press.paired = true;
     this.#turn = null;
   }
 
@@ -69,19 +73,17 @@ export class Hand {
     const { clientX, clientY } = this.#fingerOf(ray);
     press.moved ||= press.place !== null && distance(press.place, [clientX, clientY]) > SLOP;
     if (this.#presses.length > 1) this.#twist();
-    else if (press.moved) this.#drag(press);
+    else if (press.moved && !press.paired) this.#drag(press);
   }
 
   up(id: unknown, ray: Ray): void {
     const at = this.#presses.findIndex((one) => one.id === id);
     const [press] = at === -1 ? [] : this.#presses.splice(at, 1);
     if (press === undefined) return;
-    const twisted = this.#presses.length > 0;
     this.#pad.guide([]);
     this.#turn = null;
-    for (const other of this.#presses) other.moved = true;
     if (press.last && "done" in press.last) this.#dispatch({ ...press.last, done: true });
-    else if (!twisted && (press.gesture === null || !press.moved)) this.tap(ray);
+    else if (!press.paired && (press.gesture === null || !press.moved)) this.tap(ray);
   }
 
   /** A short touch along a ray, or the button that stands for it. */

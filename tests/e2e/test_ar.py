@@ -1,0 +1,572 @@
+"""The room seen through the camera of an emulated phone: the production page, the real server.
+
+Emulated, not verified on devices: docs/phone.md says how to try it on one.
+"""
+
+from __future__ import annotations
+
+import json
+import math
+from collections.abc import Iterator
+from typing import Any
+
+import pytest
+from playwright.sync_api import Browser, Page, WebSocketRoute, expect
+
+from tests.e2e.ar_driving import MIDDLE, Phone, phone_at
+from tests.e2e.conftest import PHONE, ROOT, take_picture
+from tests.e2e.driving import Record, desk_at
+
+pytestmark = pytest.mark.browser
+
+# A room whose truth is known, metres: a bed, a bookcase, a table and a chair that stands askew.
+ROOM: Record = {
+    "format": "scenegen.scene",
+    "version": 1,
+    "id": "true-room",
+    "name": "True room",
+    "room": {"corners": [[0, 0], [4.2, 0], [4.2, 3.4], [0, 3.4]], "height": 2.5},
+    "boxes": [
+        {
+            "id": "bed",
+            "category": "Bed",
+            "center": [1.0, 2.6, 0.25],
+            "size": [2.0, 1.6, 0.5],
+            "heading": 0.0,
+        },
+        {
+            "id": "bookcase",
+            "category": "Storage",
+            "center": [3.2, 3.2, 0.9],
+            "size": [0.4, 1.2, 1.8],
+            "heading": -math.pi / 2,
+        },
+        {
+            "id": "table",
+            "category": "Table",
+            "center": [3.4, 0.5, 0.37],
+            "size": [0.7, 1.4, 0.74],
+            "heading": math.pi / 2,
+        },
+        {
+            "id": "chair",
+            "category": "Chair",
+            "center": [3.3, 1.2, 0.44],
+            "size": [0.45, 0.5, 0.88],
+            "heading": -1.2,
+        },
+    ],
+}
+CORNERS = ROOM["room"]["corners"]
+CENTIMETER = 0.01
+STEPS = 60  # at one a second and a half, four boxes and a sofa take a minute and a half at most
+
+# What a page could read a picture by.
+READERS = """
+for (const [type, names] of [
+    [CanvasRenderingContext2D, ["getImageData"]],
+    [HTMLCanvasElement, ["toDataURL", "toBlob", "captureStream"]],
+    [WebGL2RenderingContext, ["readPixels"]],
+    [MediaDevices, ["getUserMedia"]],
+]) {
+    for (const name of names) {
+        const own = type.prototype[name];
+        type.prototype[name] = function (...all) {
+            (globalThis.read ??= []).push(name);
+            return own.apply(this, all);
+        };
+    }
+}
+"""
+
+# What the page has the graphics card do, frame by frame; the emulator's own picture is left out.
+METER = """
+(() => {
+    const meter = (globalThis.meter = {
+        frames: 0, calls: 0, triangles: 0, most: [0, 0], alive: 0,
+    });
+    const gl = WebGL2RenderingContext.prototype;
+    const isOurs = (one) => one.canvas !== globalThis.phone?.device.sem?.environmentCanvas;
+    const wrap = (name, note) => {
+        const own = gl[name];
+        gl[name] = function (...all) {
+            if (isOurs(this)) note(...all);
+            return own.apply(this, all);
+        };
+    };
+    const draw = (mode, count, times = 1) => {
+        meter.calls += 1;
+        if (mode === 4) meter.triangles += (count / 3) * times;
+    };
+    wrap("drawArrays", (mode, _, count) => draw(mode, count));
+    wrap("drawElements", (mode, count) => draw(mode, count));
+    wrap("drawArraysInstanced", (mode, _, count, times) => draw(mode, count, times));
+    wrap("drawElementsInstanced", (mode, count, _, __, times) => draw(mode, count, times));
+    for (const kind of ["Buffer", "Texture", "Framebuffer", "Renderbuffer", "VertexArray"]) {
+        wrap(`create${kind}`, () => { meter.alive += 1; });
+        wrap(`delete${kind}`, (one) => { if (one) meter.alive -= 1; });
+    }
+    const count = () => {
+        meter.frames += 1;
+        const { calls, triangles, most } = meter;
+        meter.most = [Math.max(most[0], calls), Math.max(most[1], triangles)];
+        meter.calls = meter.triangles = 0;
+        requestAnimationFrame(count);
+    };
+    requestAnimationFrame(count);
+})();
+"""
+
+
+def remember(page: Page, scene: Record) -> None:
+    """Has the page begin with a room that was drawn before."""
+    room = {"doors": [], "windows": [], "room_type": "", **scene["room"]}
+    text = json.dumps({"source": "", **scene, "room": room})
+    page.add_init_script(
+        f"if (!localStorage.getItem('scenegen.scene')) "
+        f"localStorage.setItem('scenegen.scene', {json.dumps(text)});"
+    )
+
+
+@pytest.fixture
+def phone(browser: Browser, server_url: str) -> Iterator[Phone]:
+    """A phone in the true room, its camera off."""
+    with phone_at(browser, server_url) as phone:
+        phone.enter(ROOM)
+        yield phone
+
+
+@pytest.fixture
+def at_home(browser: Browser, server_url: str) -> Iterator[Phone]:
+    """A phone in the true room, which was drawn before: the camera is on, the room lined up."""
+    with phone_at(browser, server_url, prepare=lambda page: remember(page, ROOM)) as phone:
+        line_up(phone)
+        yield phone
+
+
+def line_up(phone: Phone) -> None:
+    phone.enter(ROOM)
+    phone.start_camera("I am in “True room”")
+    phone.find_floor()
+    for x, y in CORNERS[1:3]:  # a short wall: the long ones have another length
+        phone.tap_at((x, y, 0.0))
+    if opposite(phone):
+        phone.press("Turn")
+    phone.rest()
+
+
+def opposite(phone: Phone) -> bool:
+    """Whether the room lies turned by half: at the bookcase's place stands something else."""
+    return phone.thing_at((3.2, 3.0, 1.5), (2.6, 1.2, 1.5)) != "Storage"
+
+
+def off(one: list[float], other: list[float]) -> float:
+    return max(abs(a - b) for a, b in zip(one, other, strict=True))
+
+
+def sides_and_heading(box: Record) -> tuple[list[float], float]:
+    """Its sides with the first along the heading, which is taken between 0 and 90 degrees."""
+    depth, width, height = box["size"]
+    quarters, heading = divmod(box.get("heading", 0.0), math.pi / 2)
+    if math.pi / 2 - heading < 1e-3:
+        quarters, heading = quarters + 1, heading - math.pi / 2
+    return ([width, depth, height] if quarters % 2 else [depth, width, height]), heading
+
+
+def test_the_first_sofa_stands_in_a_room_of_four_boxes_within_a_minute_of_taps(
+    phone: Phone,
+) -> None:
+    phone.start_camera()
+    phone.find_floor()
+    phone.outline(CORNERS)
+    expect(phone.hint).to_contain_text("What stands here?")
+    for box in ROOM["boxes"]:
+        phone.mark_box(box)
+        label = phone.page.get_by_role("group", name="What is it?").get_by_role(
+            "button", name=box["category"], exact=True
+        )
+        if label.get_attribute("aria-pressed") != "true":
+            phone.steps += 1
+            label.click()
+    drawn = phone.wait_for_saved(lambda scene: len(scene["boxes"]) == 4)
+    take_picture(phone.page, "ar-marked")
+
+    assert drawn["room"]["corners"] == CORNERS
+    for made, true in zip(drawn["boxes"], ROOM["boxes"], strict=True):
+        assert made["category"] == true["category"]
+        assert off(made["center"], true["center"]) < CENTIMETER
+        (sides, heading), (true_sides, true_heading) = map(sides_and_heading, (made, true))
+        assert off(sides, true_sides) < CENTIMETER
+        assert heading == pytest.approx(true_heading, abs=math.radians(1))
+
+    phone.press("Done")
+    phone.steps += 1
+    phone.choose("Sofa")
+    offered = phone.answer()["placements"][0]
+    phone.press("Place it")
+    placed = phone.wait_for_saved(lambda scene: len(scene["boxes"]) == 5)["boxes"][4]
+    assert placed["center"] == pytest.approx(offered["center"], abs=1e-6)
+    assert phone.steps <= STEPS, phone.steps
+    take_picture(phone.page, "ar-first-sofa")
+
+
+def test_what_is_placed_stands_at_its_true_scale_to_the_centimeter(at_home: Phone) -> None:
+    phone = at_home
+    phone.choose("Chair")
+    phone.answer()
+    phone.press("Place it")
+    chair = phone.wait_for_saved(lambda scene: len(scene["boxes"]) == 5)["boxes"][4]
+    depth, width, height = chair["size"]
+    x, y, z = chair["center"]
+    cos, sin = math.cos(chair["heading"]), math.sin(chair["heading"])
+
+    def beside(along: float, across: float) -> tuple[float, float, float]:
+        return (x + cos * along - sin * across, y + sin * along + cos * across, z + height / 2)
+
+    for along, across in ((depth / 2, 0.0), (-depth / 2, 0.0), (0.0, width / 2), (0.0, -width / 2)):
+        inner, outer = (
+            beside(
+                along * (1 + grown / abs(along or across)),
+                across * (1 + grown / abs(across or along)),
+            )
+            for grown in (-CENTIMETER, CENTIMETER)
+        )
+        # Seen from straight above, so that only the top is met.
+        assert phone.thing_at(inner, (inner[0] + 0.001, inner[1], 2.2)) == "Chair"
+        assert phone.thing_at(outer, (outer[0] + 0.001, outer[1], 2.2)) != "Chair"
+
+
+def test_by_hand_it_goes_where_the_phone_points_and_is_put_down_by_a_tap(at_home: Phone) -> None:
+    phone = at_home
+    phone.choose_mode("Manual")
+    phone.choose("Chair")
+    expect(phone.hint).to_have_text("Point to where it should go, and tap.")
+    phone.tap_at((1.6, 1.0, 0.0), (2.6, 1.8, 1.5))
+    expect(phone.hint).to_contain_text("turn it with two fingers")
+    put = phone.wait_for(lambda: phone.last_sent("inspect") or {}, lambda one: "center" in one)
+    assert put["center"][:2] == pytest.approx([1.6, 1.0], abs=0.09)  # it may have snapped
+    phone.look((2.2, 1.4, 0.0))
+    take_picture(phone.page, "ar-by-hand")
+    phone.press("Place it")
+    phone.wait_for_saved(lambda scene: len(scene["boxes"]) == 5)
+    phone.page.get_by_role("navigation", name="Tools").get_by_role("button", name="Undo").click()
+    phone.wait_for_saved(lambda scene: len(scene["boxes"]) == 4)
+
+
+def test_two_fingers_turn_it_and_one_drags_it(at_home: Phone) -> None:
+    phone = at_home
+    phone.choose_mode("Manual")
+    phone.choose("Chair")
+    phone.tap_at((1.6, 1.1, 0.0), (2.6, 1.9, 1.5))
+    before = phone.inspected()
+    phone.two_fingers(MIDDLE, radius=60, start=0, end=40)
+    turned = phone.inspected()
+    # Fingers that go round clockwise on the screen turn it clockwise on the floor below.
+    assert math.sin(turned["heading"] - before["heading"]) < -0.3
+    assert turned["center"] == pytest.approx(before["center"], abs=0.001)
+    phone.drag(MIDDLE, (MIDDLE[0] + 130, MIDDLE[1] - 60))
+    moved = phone.inspected()
+    print(before, turned, moved)
+    take_picture(phone.page, 'ar-dragged')
+    assert math.dist(moved["center"], turned["center"]) > 0.2
+    assert moved["heading"] == pytest.approx(turned["heading"], abs=math.radians(16))
+
+
+def test_the_map_lies_on_the_real_floor_and_the_places_stand_on_it(at_home: Phone) -> None:
+    phone = at_home
+    phone.choose("Chair")
+    phone.answer()
+    phone.look((2.6, 1.8, 0.0), (1.2, 0.6, 1.9))
+    phone.rest(6)
+    take_picture(phone.page, "ar-map")
+    with_map = phone.page.screenshot()
+    phone.page.keyboard.press("h")
+    phone.rest(6)
+    assert phone.page.screenshot() != with_map
+
+
+def test_real_things_hide_what_is_behind_them_until_told_not_to(at_home: Phone) -> None:
+    phone = at_home
+    hide = phone.button("Hide")
+    expect(hide).to_have_attribute("aria-pressed", "true")
+    phone.press("Hide")
+    expect(hide).to_have_attribute("aria-pressed", "false")
+    phone.page.keyboard.press("o")
+    expect(hide).to_have_attribute("aria-pressed", "true")
+
+
+def test_every_gesture_has_a_button_and_a_key(phone: Phone) -> None:
+    phone.start_camera()
+    phone.press("The floor is here")
+    for x, y in CORNERS[:3]:
+        phone.look((x, y, 0.0))
+        phone.press("Corner here")
+    phone.look((*CORNERS[3], 0.0))
+    phone.page.keyboard.press("Enter")
+    phone.press("Close it")
+    phone.wait_for_saved(lambda scene: bool(scene["room"]["corners"] == CORNERS))
+    phone.page.keyboard.press("v")
+    expect(phone.button("Around")).to_be_visible()
+    assert not phone.presenting
+
+
+def test_pauses_and_losses_are_said_and_nothing_is_lost(at_home: Phone) -> None:
+    phone = at_home
+    phone.page.keyboard.press("Escape")
+    phone.on_phone("phone.show('hidden')")
+    expect(phone.hint).to_have_text("Paused. Come back to go on.")
+    phone.on_phone("phone.show('visible')")
+    expect(phone.hint).to_contain_text("Pick what to place")
+    phone.on_phone("phone.lose(true)")
+    expect(phone.hint).to_contain_text("I've lost the room")
+    expect(phone.page.locator("#announcer")).to_contain_text("I've lost the room")
+    phone.on_phone("phone.lose(false)")
+    expect(phone.hint).to_contain_text("Pick what to place")
+    assert phone.thing_at((3.2, 3.0, 1.5), (2.6, 1.2, 1.5)) == "Storage"
+
+
+def test_the_device_s_own_pieces_are_kept_put_right_or_dropped(
+    browser: Browser, server_url: str
+) -> None:
+    features = ["dom-overlay", "anchors", "plane-detection", "mesh-detection", "light-estimation"]
+    with phone_at(browser, server_url, features=features) as phone:
+        phone.enter(ROOM, labels=True)
+        phone.start_camera()
+        phone.find_floor()
+        expect(phone.page.get_by_role("heading", name="4 pieces found")).to_be_visible()
+        take_picture(phone.page, "ar-found")
+        phone.press("Use them")
+        expect(phone.page.get_by_role("heading", name="Is this a bed?")).to_be_visible()
+        phone.press("Keep")
+        phone.press("Keep")
+        phone.press("Drop")
+        # No label of the devices says chair: it is put right by its chip.
+        chips = phone.page.get_by_role("group", name="What is it?")
+        chips.get_by_role("button", name="Chair", exact=True).click()
+        phone.press("Keep")
+        scene = phone.wait_for_saved(lambda scene: len(scene["boxes"]) == 3)
+        assert [box["category"] for box in scene["boxes"]] == ["Bed", "Storage", "Chair"]
+        for made, true in zip(scene["boxes"], (ROOM["boxes"][i] for i in (0, 1, 3)), strict=True):
+            assert off(sides_and_heading(made)[0][2:], true["size"][2:]) < CENTIMETER
+            assert sorted(made["size"][:2]) == pytest.approx(
+                sorted(true["size"][:2]), abs=CENTIMETER
+            )
+
+
+class Cuttable:
+    """The page's sockets, which the network may swallow (they look open) until the next one."""
+
+    def __init__(self, page: Page) -> None:
+        self.dead: set[int] = set()
+        self.count = 0
+        page.route_web_socket("**/socket*", self._route)
+
+    def cut(self) -> None:
+        """From now on nothing goes through the sockets there are."""
+        self.dead.update(range(self.count))
+
+    def _route(self, socket: WebSocketRoute) -> None:
+        number = self.count
+        self.count += 1
+        server = socket.connect_to_server()
+        socket.on_message(lambda data: None if number in self.dead else server.send(data))
+        server.on_message(lambda data: None if number in self.dead else socket.send(data))
+
+
+def test_the_socket_may_die_at_every_moment_and_nothing_is_lost(
+    browser: Browser, server_url: str
+) -> None:
+    sockets: list[Cuttable] = []
+    with phone_at(
+        browser, server_url, prepare=lambda page: sockets.append(Cuttable(page))
+    ) as phone:
+        (network,) = sockets
+        phone.enter(ROOM)
+        network.cut()
+        phone.start_camera()
+        phone.wait_for(lambda: network.count, lambda count: count == 2)
+        phone.find_floor()
+        phone.outline(CORNERS)
+        phone.mark_box(ROOM["boxes"][0])
+        network.cut()
+        phone.on_phone("phone.show('hidden')")
+        phone.on_phone("phone.show('visible')")
+        phone.wait_for(lambda: network.count, lambda count: count == 3)
+        expect(phone.hint).to_contain_text("Next thing")
+        phone.mark_box(ROOM["boxes"][2])
+        network.cut()
+        phone.page.evaluate("document.dispatchEvent(new Event('visibilitychange'))")
+        phone.wait_for(lambda: network.count, lambda count: count == 4)
+        network.cut()
+        phone.press("End")
+        phone.wait_for(lambda: network.count, lambda count: count == 5)
+        expect(phone.connection).to_have_text("Connected")
+        session = phone.page.evaluate("localStorage.getItem('scenegen.session')")
+        mine = phone.saved()
+    with desk_at(browser, f"{server_url}/?session={session}") as other:
+        joined = other.wait_for_saved(lambda scene: scene["id"] == mine["id"])
+    assert len(mine["boxes"]) == 2
+    assert joined == mine
+
+
+def test_no_picture_is_read_and_only_outlines_boxes_and_questions_leave_the_page(
+    browser: Browser, server_url: str
+) -> None:
+    left: list[tuple[str, str, int]] = []
+
+    def watch(page: Page) -> None:
+        page.add_init_script(READERS)
+        page.on(
+            "request",
+            lambda one: left.append((one.method, one.url, len(one.post_data_buffer or b""))),
+        )
+
+    with phone_at(browser, server_url, prepare=watch) as phone:
+        phone.enter(ROOM)
+        phone.page.evaluate("globalThis.read = []")
+        left.clear()
+        phone.sent.clear()
+        phone.start_camera()
+        phone.find_floor()
+        phone.outline(CORNERS)
+        phone.mark_box(ROOM["boxes"][2])
+        phone.press("Done")
+        phone.choose("Chair")
+        phone.answer()
+        phone.press("Place it")
+        phone.wait_for_saved(lambda scene: len(scene["boxes"]) == 2)
+        phone.wait_until_stored()
+        phone.press("End")
+        assert phone.page.evaluate("globalThis.read") == []
+        kinds = {one["type"] for one in phone.sent}
+        assert kinds <= {"put_scene", "put_room", "put_box", "remove_box", "ask", "inspect", "ping"}
+        assert phone.binary_sent == 0
+        # A camera's image has a hundred thousand bytes; what is sent here are a few numbers.
+        assert max(len(json.dumps(one)) for one in phone.sent) < 4_000
+        assert {method for method, _, _ in left} <= {"GET"}
+        assert all(url.startswith((server_url, "blob:")) for _, url, _ in left)
+
+
+def furnished(count: int) -> Record:
+    """The true room with that many chairs in it, that were placed."""
+    chairs = [
+        {
+            "id": f"placed-{i}",
+            "category": "Chair",
+            "center": [0.4 + 0.55 * (i % 6), 0.4 + 0.6 * (i // 6), 0.44],
+            "size": [0.45, 0.45, 0.88],
+            "heading": 0.3 * i,
+            "placed": True,
+        }
+        for i in range(count)
+    ]
+    return {**ROOM, "boxes": [*ROOM["boxes"], *chairs]}
+
+
+def heap(page: Page) -> float:
+    """Bytes that are in use once the garbage is gone."""
+    client = page.context.new_cdp_session(page)
+    for _ in range(3):
+        client.send("HeapProfiler.collectGarbage")
+    used: float = client.send("Runtime.getHeapUsage")["usedSize"]
+    client.detach()
+    return used
+
+
+def meter(page: Page) -> dict[str, Any]:
+    read: dict[str, Any] = page.evaluate("structuredClone(globalThis.meter)")
+    return read
+
+
+def prepared(page: Page) -> None:
+    page.add_init_script(METER)
+    remember(page, furnished(8))
+
+
+def test_twelve_boxes_stay_within_the_means_of_a_phone_over_600_frames(
+    browser: Browser, server_url: str
+) -> None:
+    with phone_at(browser, server_url, prepare=prepared) as phone:
+        line_up(phone)
+        phone.choose("Sofa")
+        phone.answer()
+        phone.look((2.6, 2.4, 0.4), (0.2, 0.2, 1.7))
+        phone.rest(30)
+        phone.page.evaluate("globalThis.meter.most = [0, 0]")
+        before, alive, begin = (
+            heap(phone.page),
+            meter(phone.page)["alive"],
+            meter(phone.page)["frames"],
+        )
+        phone.page.wait_for_function(
+            "(end) => globalThis.meter.frames >= end", arg=begin + 600, timeout=300_000
+        )
+        calls, triangles = meter(phone.page)["most"]
+        assert 20 < calls <= 150
+        assert 1_000 < triangles <= 150_000
+        assert meter(phone.page)["alive"] == alive
+        assert heap(phone.page) - before < 600 * 1_000  # less than a kilobyte a frame stays
+
+
+def test_ten_sessions_leave_nothing_behind(browser: Browser, server_url: str) -> None:
+    with phone_at(browser, server_url, prepare=prepared) as phone:
+        phone.enter(ROOM)
+        alive = []
+        used = []
+        for _ in range(10):
+            phone.start_camera("I am in “True room”")
+            phone.find_floor()
+            phone.rest(3)
+            phone.press("End")
+            expect(phone.button("Around")).to_be_visible()
+            phone.rest(6)
+            alive.append(meter(phone.page)["alive"])
+            used.append(heap(phone.page))
+        assert alive[-1] <= alive[1]
+        assert used[-1] - used[1] < 1_000_000
+
+
+def test_axe_finds_nothing_serious(at_home: Phone) -> None:
+    phone = at_home
+    axe = (ROOT / "node_modules/axe-core/axe.min.js").read_text()
+    phone.page.evaluate(axe)
+
+    def serious() -> list[str]:
+        found: list[str] = phone.page.evaluate(
+            """async () => (await axe.run(document)).violations
+                .filter(({ impact }) => impact === "serious" || impact === "critical")
+                .map(({ id, nodes }) => `${id}: ${nodes[0].html}`)"""
+        )
+        return found
+
+    assert serious() == []
+    phone.choose("Chair")
+    phone.answer()
+    assert serious() == []
+    phone.press("Cancel")
+    phone.page.get_by_role("navigation", name="Tools").get_by_role("button", name="Box").click()
+    expect(phone.button("Corner here")).to_be_visible()
+    assert serious() == []
+
+
+def test_targets_are_large_and_within_reach_of_the_thumb(at_home: Phone) -> None:
+    phone = at_home
+    phone.page.get_by_role("navigation", name="Tools").get_by_role("button", name="Box").click()
+    for name in ("Corner here", "Hide", "Line up", "End", "Done"):
+        box = phone.button(name).bounding_box()
+        assert box is not None
+        assert min(box["width"], box["height"]) >= 44, name
+        assert box["y"] > 0.4 * PHONE["height"], name
+
+
+def test_without_a_camera_view_the_reason_is_told_and_the_page_goes_on(
+    browser: Browser, server_url: str
+) -> None:
+    with desk_at(browser, server_url) as desk:
+        desk.button("Camera").click()
+        dialog = desk.page.get_by_role("dialog", name="See it in your own room")
+        expect(dialog).to_contain_text("This browser can't show your room")
+        expect(dialog.get_by_role("button", name="Start")).to_have_count(0)
+        dialog.get_by_role("button", name="Close").click()
+        desk.choose("Chair")
+        expect(desk.places.first).to_be_visible()
