@@ -266,8 +266,6 @@ def test_two_fingers_turn_it_and_one_drags_it(at_home: Phone) -> None:
     assert turned["center"] == pytest.approx(before["center"], abs=0.001)
     phone.drag(MIDDLE, (MIDDLE[0] + 130, MIDDLE[1] - 60))
     moved = phone.inspected()
-    print(before, turned, moved)
-    take_picture(phone.page, 'ar-dragged')
     assert math.dist(moved["center"], turned["center"]) > 0.2
     assert moved["heading"] == pytest.approx(turned["heading"], abs=math.radians(16))
 
@@ -490,7 +488,9 @@ def test_twelve_boxes_stay_within_the_means_of_a_phone_over_600_frames(
         line_up(phone)
         phone.choose("Sofa")
         phone.answer()
-        phone.look((2.6, 2.4, 0.4), (0.2, 0.2, 1.7))
+        phone.look((2.1, 1.7, 0.3), (-3.0, -3.0, 3.2))  # all of it is in view
+        phone.rest(6)
+        take_picture(phone.page, "ar-twelve")
         phone.rest(30)
         phone.page.evaluate("globalThis.meter.most = [0, 0]")
         before, alive, begin = (

@@ -33,6 +33,7 @@ export function arHint(state: State, ar: Ar): string | null {
         ? "Point at a corner of the room, down where the walls meet the floor, and tap."
         : "Now the next corner along the same wall.";
     case "ready":
+      if (ar.found !== null) return "Your device knows this room already.";
       return ar.unchecked.length > 0 ? null : readyHint(state, ar);
   }
 }
@@ -79,7 +80,7 @@ function draftHint(draft: Draft, ar: Ar): string {
 
 /** The button that does what a tap in the middle of the view does; null while that is nothing. */
 export function markInWords(state: State, ar: Ar): string | null {
-  if (ar.tracking !== "good") return null;
+  if (ar.tracking !== "good" || ar.found !== null) return null;
   if (ar.step === "floor") return ar.surface ? "The floor is here" : null;
   if (ar.step === "line-up") return "The corner is here";
   if (state.placing !== null) return ar.carrying ? "Put it down here" : null;

@@ -177,5 +177,5 @@ export function decision({ state, local, dispatch }: Page): TemplateResult | typ
 function pickUpButton({ ar, placing }: State, dispatch: Page["dispatch"]) {
   if (ar === null || ar.carrying || placing?.mode !== "manual") return nothing;
   const run = (): void => dispatch({ type: "change-ar", change: { carrying: true } });
-  return button({ icon: "hand", label: "Pick it up", keys: "P", run });
+  return button({ icon: "hand", label: "Pick up", keys: "P", run });
 }
