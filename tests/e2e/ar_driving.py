@@ -226,6 +226,19 @@ class Phone(Desk):
         self.look(target, eye)
         self.tap()
 
+    def pull(self, target: Place) -> None:
+        """Points a headset's controller, held at the right of the eye, and pulls its trigger."""
+        self.steps += 1
+        x, y, z = self.eye
+        hand = (x + 0.15, y, z - 0.25)
+        self.on_phone(
+            "phone.reach(a[0]); phone.point(a[1])", *map(self.frame.place, (hand, target))
+        )
+        self.rest(2)
+        for act in ("pull", "release"):
+            self.on_phone(f"phone.{act}()")
+            self.rest(3)
+
     def thing_at(self, target: Place, eye: Place) -> str:
         """The kind of thing that a tap on a place selects; empty for nothing."""
         self.page.keyboard.press("Escape")  # no handles are in the way
@@ -338,6 +351,7 @@ def phone_at(
     url: str,
     *,
     features: list[str] | None = None,
+    device: str = "installPhone",
     prepare: Callable[[Page], object] = id,
 ) -> Iterator[Phone]:
     """The page on an emulated phone, greeted and connected; it must complain of nothing.
@@ -355,7 +369,7 @@ def phone_at(
     page.on("pageerror", lambda error: complaints.append(str(error)))
     source = "\n;".join(script.read_text() for script in SCRIPTS)
     granted = "undefined" if features is None else json.dumps(features)
-    page.add_init_script(f"{source}\n;window.phone = installPhone({granted});")
+    page.add_init_script(f"{source}\n;window.phone = {device}({granted});")
     prepare(page)
     phone = Phone(page)
     page.goto(url)

@@ -342,8 +342,10 @@ def test_the_device_s_own_pieces_are_kept_put_right_or_dropped(
         chips = phone.page.get_by_role("group", name="What is it?")
         chips.get_by_role("button", name="Chair", exact=True).click()
         phone.press("Keep")
-        scene = phone.wait_for_saved(lambda scene: len(scene["boxes"]) == 3)
-        assert [box["category"] for box in scene["boxes"]] == ["Bed", "Storage", "Chair"]
+        kinds = ["Bed", "Storage", "Chair"]
+        scene = phone.wait_for_saved(
+            lambda scene: bool([box["category"] for box in scene["boxes"]] == kinds)
+        )
         for made, true in zip(scene["boxes"], (ROOM["boxes"][i] for i in (0, 1, 3)), strict=True):
             assert off(sides_and_heading(made)[0][2:], true["size"][2:]) < CENTIMETER
             assert sorted(made["size"][:2]) == pytest.approx(
@@ -486,7 +488,7 @@ def test_twelve_boxes_stay_within_the_means_of_a_phone_over_600_frames(
 ) -> None:
     with phone_at(browser, server_url, prepare=prepared) as phone:
         line_up(phone)
-        phone.choose("Sofa")
+        phone.choose("Decor")
         phone.answer()
         phone.look((2.1, 1.7, 0.3), (-3.0, -3.0, 3.2))  # all of it is in view
         phone.rest(6)
@@ -502,7 +504,7 @@ def test_twelve_boxes_stay_within_the_means_of_a_phone_over_600_frames(
             "(end) => globalThis.meter.frames >= end", arg=begin + 600, timeout=300_000
         )
         calls, triangles = meter(phone.page)["most"]
-        assert 20 < calls <= 150
+        assert 12 < calls <= 150
         assert 1_000 < triangles <= 150_000
         assert meter(phone.page)["alive"] == alive
         assert heap(phone.page) - before < 600 * 1_000  # less than a kilobyte a frame stays
@@ -524,6 +526,42 @@ def test_ten_sessions_leave_nothing_behind(browser: Browser, server_url: str) ->
             used.append(heap(phone.page))
         assert alive[-1] <= alive[1]
         assert used[-1] - used[1] < 1_000_000
+
+
+def test_a_headset_that_shows_no_page_has_a_panel_in_the_room(
+    browser: Browser, server_url: str
+) -> None:
+    with phone_at(browser, server_url, device="installHeadset") as headset:
+        headset.enter(ROOM)
+        headset.start_camera()
+        headset.rest(10)
+        x, y, _ = headset.eye
+        headset.pull((x, y - 1.1, 0.0))
+        # The device knows this room: what is offered is the first button of the panel.
+        headset.rest(30)
+        take_picture(headset.page, "ar-headset")
+        headset.pull(panel_place(headset, 0.25, 0.4))
+        found = headset.wait_for_saved(lambda scene: len(scene["boxes"]) == 4)
+        assert found["room"]["corners"] != [[0, 0], [5, 0], [5, 4], [0, 4]]
+        for _ in range(4):
+            headset.pull(panel_place(headset, 0.25, 0.62))
+        headset.pull(panel_place(headset, 0.4, 0.4))
+        headset.answer()
+
+
+def panel_place(headset: Phone, across: float, down: float) -> tuple[float, float, float]:
+    """A place of the panel: it floats 0.9 m before the eye and 0.32 m below it, leaning back.
+
+    ``across`` and ``down`` are shares of its 0.64 by 0.33 m; the eye looks along -y.
+    """
+    x, y, z = headset.eye
+    up = (0.5 - down) * 0.33
+    lean = math.atan2(0.32, 0.9)
+    return (
+        x - (across - 0.5) * 0.64,
+        y - 0.9 - up * math.sin(lean),
+        z - 0.32 + up * math.cos(lean),
+    )
 
 
 def test_axe_finds_nothing_serious(at_home: Phone) -> None:

@@ -28,6 +28,28 @@
     return phone(device, state);
   }
 
+  /** A Quest 3 that shows no page in front of the room; its right controller does what is done. */
+  function installHeadset() {
+    keepTransparent();
+    const device = new IWER.XRDevice(IWER.metaQuest3);
+    device.installRuntime({ forceInstall: true });
+    device.installSEM(IWER_SEM.SyntheticEnvironmentModule);
+    offsetSpaces();
+    const hand = device.controllers.right;
+    const pull = (value) => hand.updateButtonValue("trigger", value);
+    return {
+      ...phone(device, { lost: false }),
+      point(target) {
+        const { x, y, z } = hand.position;
+        hand.quaternion.set(...turnToward(subtract(target, [x, y, z])));
+      },
+      /** Holds the controller somewhere. */
+      reach: (at) => hand.position.set(...at),
+      pull: () => pull(1),
+      release: () => pull(0),
+    };
+  }
+
   function config(features) {
     return {
       name: "Phone",
@@ -255,4 +277,5 @@
   }
 
   globalThis.installPhone = install;
+  globalThis.installHeadset = installHeadset;
 })();

@@ -29,6 +29,18 @@ export interface ArControls {
   turnRound(): void;
 }
 
+export interface PanelButton {
+  readonly label: string;
+  readonly primary?: boolean;
+  run(): void;
+}
+
+/** A sentence and rows of buttons, for devices that show no page in front of the room. */
+export interface FloatingContent {
+  readonly title: string;
+  readonly rows: readonly (readonly PanelButton[])[];
+}
+
 /** What the panels can have done that is not a change of the state. */
 export interface Services {
   viewPoint(): Point;

@@ -7,9 +7,10 @@ import { Live } from "./net/live";
 import type { ClientMessage, SceneRecord } from "./net/protocol.gen";
 import { createServices, fetchRoom } from "./services";
 import { createStore, type Store } from "./store";
+import { floating } from "./ui/floating";
 import { mountUi } from "./ui/ui";
 import { Stage } from "./views/stage";
-import { createAr } from "./xr/entry";
+import { type ArEntry, createAr } from "./xr/entry";
 
 const FIRST_ROOM = "living-room";
 const PROBES: readonly (readonly [EventTarget, string])[] = [
@@ -24,7 +25,12 @@ async function start(): Promise<void> {
   const assets = new AssetCache(fetchAsset);
   const stage = new Stage(element("stage"), store.dispatch, assets);
   let probe = (): void => {};
-  const ar = createAr({ stage, store, changed: () => probe() });
+  const ar: ArEntry = createAr({
+    stage,
+    store,
+    changed: () => probe(),
+    floating: (state) => floating({ state, ar, dispatch: store.dispatch, viewPoint }),
+  });
   const viewPoint = () => ar.viewPoint() ?? stage.viewPoint();
   const ui = mountUi(element("ui"), store.dispatch, createServices(store, { viewPoint }, ar));
   const keep = sceneKeeper();

@@ -1,4 +1,5 @@
 import { Group, PerspectiveCamera } from "three";
+import type { FloatingContent } from "../contract";
 import type { Ar, Point, State } from "../model/state";
 import type { Store } from "../store";
 import { CORE_IN_PAGE } from "../views/axes";
@@ -8,7 +9,9 @@ import { Sight } from "../views/sight";
 import type { Lent, Stage } from "../views/stage";
 import { Aim } from "./aim";
 import { Anchoring } from "./anchoring";
+import { Beam } from "./beam";
 import { Daylight } from "./daylight";
+import { FloatingPanel } from "./floating_panel";
 import { Hand } from "./hand";
 import { Hits } from "./hits";
 import { KnownRoom } from "./known_room";
@@ -26,6 +29,8 @@ export interface Ties {
   readonly store: Store;
   /** Called whenever the session is seen again or ends: sockets may have died. */
   changed(): void;
+  /** What stands in for the panels where the page is not seen. */
+  floating(state: State): FloatingContent;
 }
 
 /** What the session has once its frame of reference is known. */
@@ -51,6 +56,9 @@ export class ArView {
   readonly #listening = new AbortController();
   readonly #stop: () => void;
   #place: Place | null = null;
+  /** Only where the page's own panels are not seen. */
+  #panel: FloatingPanel | null = null;
+  #beam: Beam | null = null;
   #state: State;
   #ray: Ray | null = null;
   /** The floor in the middle of the view, and the eye: in the device's frame. */
@@ -86,6 +94,7 @@ export class ArView {
     const anchoring = new Anchoring(base, (space) => xr.setReferenceSpace(space));
     this.#place = { anchoring, setUp: new SettingUp(anchoring, this.#ties.store) };
     const granted = grantedFeatures(this.#session);
+    if (!granted.includes("dom-overlay")) this.#float();
     this.#ties.store.dispatch({ type: "enter-ar", room, granted });
     xr.setAnimationLoop((now, frame) => frame && this.#frame(now, frame));
     await Promise.all([this.#hits.begin(this.#session), this.#daylight.begin(this.#session)]);
@@ -111,6 +120,13 @@ export class ArView {
 
   turnRound(): void {
     this.#place?.setUp.turnRound();
+  }
+
+  /** What is needed where the page is not seen: a panel in the room, and a beam to press with. */
+  #float(): void {
+    this.#panel = new FloatingPanel();
+    this.#beam = new Beam();
+    this.#root.add(this.#panel.root, this.#beam.root);
   }
 
   #pad(): Pad {
@@ -139,6 +155,7 @@ export class ArView {
     this.#hand.show(state);
     this.#things.show(state);
     this.#place?.setUp.firstWall(state);
+    this.#panel?.show(this.#ties.floating(state));
   }
 
   #seen(): void {
@@ -151,7 +168,10 @@ export class ArView {
     const ray = this.#rayOf(frame, inputSource);
     if (ray === null || this.#place === null) return;
     const down = type === "selectstart";
-    if (this.#state.ar?.step === "ready") {
+    const pressed = down ? (this.#panel?.at(ray) ?? null) : null;
+    if (pressed !== null) {
+      if (pressed !== "none") pressed.run();
+    } else if (this.#state.ar?.step === "ready") {
       if (down) {
         this.#pressed.add(inputSource);
         this.#hand.down(inputSource, ray);
@@ -165,6 +185,16 @@ export class ArView {
   #rayOf(frame: XRFrame, input: XRInputSource): Ray | null {
     const pose = this.#place && frame.getPose(input.targetRaySpace, this.#place.anchoring.space);
     return pose ? rayOf(pose.transform) : null;
+  }
+
+  /** A controller or a hand points better than the head does. */
+  #pointing(frame: XRFrame): Ray | null {
+    if (this.#beam === null) return null;
+    const all = [...this.#session.inputSources].filter(
+      ({ targetRayMode }) => targetRayMode === "tracked-pointer",
+    );
+    const input = all.find(({ handedness }) => handedness === "right") ?? all[0];
+    return input === undefined ? null : this.#rayOf(frame, input);
   }
 
   /** A tap along a ray that may have met a real surface, in the step that the session is in. */
@@ -192,8 +222,11 @@ export class ArView {
     if (!anchoring || !pose) return;
     this.#lent.renderer.xr.updateCamera(this.#camera);
     anchoring.update(frame);
-    const ray = rayOf(pose.transform);
+    const view = rayOf(pose.transform);
+    const ray = this.#pointing(frame) ?? view;
     this.#ray = ray;
+    this.#panel?.follow(view);
+    this.#beam?.show(ray === view ? null : ray);
     if (this.#state.ar?.step === "floor") this.#find(frame, anchoring, ray);
     else this.#work(frame, anchoring, ray, elapsed);
     this.#shine(frame);
@@ -246,6 +279,8 @@ export class ArView {
     this.#aim.dispose();
     this.#things.dispose();
     this.#daylight.dispose();
+    this.#panel?.dispose();
+    this.#beam?.dispose();
     this.#root.removeFromParent();
     renderer.xr.setAnimationLoop(null);
     renderer.setAnimationLoop(null);
