@@ -321,6 +321,10 @@ def test_pauses_and_losses_are_said_and_nothing_is_lost(at_home: Phone) -> None:
     phone.on_phone("phone.lose(false)")
     expect(phone.hint).to_contain_text("Pick what to place")
     assert phone.thing_at((3.2, 3.0, 1.5), (2.6, 1.2, 1.5)) == "Storage"
+    phone.on_phone("phone.device.recenter()")
+    expect(phone.toast).to_contain_text("The device has lost its place")
+    expect(phone.hint).to_contain_text("the floor")
+    assert len(phone.saved()["boxes"]) == 4
 
 
 def test_the_device_s_own_pieces_are_kept_put_right_or_dropped(

@@ -185,7 +185,7 @@
 
   function fingersOf(device) {
     return Object.entries(device.controllers)
-      .filter(([name, finger]) => name.startsWith(FINGER) && finger.connected)
+      .filter(([name]) => name.startsWith(FINGER))
       .map(([, finger]) => finger);
   }
 
@@ -193,7 +193,9 @@
   function touchTheScreen(device, state) {
     const down = ({ pointerId, clientX, clientY, target }) => {
       if (device.activeSession === undefined || isKept(state, target)) return;
-      device.controllers[FINGER + pointerId] = finger(device, clientX, clientY);
+      const name = FINGER + pointerId;
+      const leave = () => delete device.controllers[name];
+      device.controllers[name] = finger(device, [clientX, clientY], leave);
     };
     const move = ({ pointerId, clientX, clientY }) =>
       device.controllers[FINGER + pointerId]?.move(clientX, clientY);
@@ -212,9 +214,9 @@
     );
   }
 
-  function finger(device, x, y) {
-    let place = [x, y];
-    let step = "touched"; // then "held", "lifted", "gone"
+  function finger(device, first, leave) {
+    let place = first;
+    let step = "touched"; // then "held", "lifted"
     let lifted = false;
     const inputSource = new XRInputSource("none", "screen", ["generic-touchscreen"], undefined);
     const ray = { get: () => new XRSpace(device.viewerSpace, rayThrough(place)) };
@@ -223,9 +225,7 @@
       frame.session.dispatchEvent(new XRInputSourceEvent(type, { frame, inputSource }));
     return {
       inputSource,
-      get connected() {
-        return step !== "gone";
-      },
+      connected: true,
       move(clientX, clientY) {
         place = [clientX, clientY];
       },
@@ -234,7 +234,7 @@
       },
       onFrameStart(frame) {
         if (step === "lifted") {
-          step = "gone";
+          leave();
         } else if (step === "held" && lifted) {
           tell(frame, "select");
           tell(frame, "selectend");

@@ -1,9 +1,9 @@
 import { Group, Mesh, MeshBasicMaterial, PlaneGeometry } from "three";
 import { LineMaterial } from "three/addons/lines/LineMaterial.js";
-import { LineSegments2 } from "three/addons/lines/LineSegments2.js";
 import { LineSegmentsGeometry } from "three/addons/lines/LineSegmentsGeometry.js";
 import { headingOf } from "../model/footprints";
 import type { BoxRecord } from "../net/protocol.gen";
+import { Lines } from "./lines";
 
 const DASH = 0.09; // metres
 const SEGMENTS = 12; // edges of a box
@@ -24,7 +24,7 @@ export interface LineLook {
 export class BoxLines {
   readonly root = new Group();
   readonly #material = new LineMaterial({ dashSize: DASH, gapSize: DASH * 0.6, transparent: true });
-  readonly #lines = new LineSegments2(new LineSegmentsGeometry(), this.#material);
+  readonly #lines = new Lines(new LineSegmentsGeometry(), this.#material);
   readonly #footprint = new Mesh(
     new PlaneGeometry(1, 1),
     new MeshBasicMaterial({ transparent: true, depthWrite: false, toneMapped: false }),

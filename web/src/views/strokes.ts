@@ -1,7 +1,7 @@
 import { LineMaterial } from "three/addons/lines/LineMaterial.js";
-import { LineSegments2 } from "three/addons/lines/LineSegments2.js";
 import { LineSegmentsGeometry } from "three/addons/lines/LineSegmentsGeometry.js";
 import type { Vector3 } from "../model/state";
+import { Lines } from "./lines";
 
 export interface StrokeLook {
   readonly color: string;
@@ -16,7 +16,7 @@ export interface StrokeLook {
 
 /** Straight lines of one look, in one draw call. */
 export class Strokes {
-  readonly root: LineSegments2;
+  readonly root: Lines;
   readonly #material: LineMaterial;
 
   constructor(look: StrokeLook) {
@@ -33,7 +33,7 @@ export class Strokes {
       depthWrite: false,
     });
     this.#material.toneMapped = false;
-    this.root = new LineSegments2(new LineSegmentsGeometry(), this.#material);
+    this.root = new Lines(new LineSegmentsGeometry(), this.#material);
     this.root.frustumCulled = false;
     this.root.renderOrder = 8;
     this.root.visible = false;

@@ -92,7 +92,10 @@ export class ArView {
     await xr.setSession(this.#session);
     const base = xr.getReferenceSpace() as XRReferenceSpace;
     const anchoring = new Anchoring(base, (space) => xr.setReferenceSpace(space));
-    this.#place = { anchoring, setUp: new SettingUp(anchoring, this.#ties.store) };
+    const setUp = new SettingUp(anchoring, this.#ties.store);
+    const { signal } = this.#listening;
+    base.addEventListener("reset", () => setUp.reset(), { signal });
+    this.#place = { anchoring, setUp };
     const granted = grantedFeatures(this.#session);
     if (!granted.includes("dom-overlay")) this.#float();
     this.#ties.store.dispatch({ type: "enter-ar", room, granted });

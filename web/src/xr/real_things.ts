@@ -10,12 +10,12 @@ import {
   Vector3,
 } from "three";
 import { LineMaterial } from "three/addons/lines/LineMaterial.js";
-import { LineSegments2 } from "three/addons/lines/LineSegments2.js";
 import { LineSegmentsGeometry } from "three/addons/lines/LineSegmentsGeometry.js";
 import { bottomOf, footprint, headingOf, topOf } from "../model/footprints";
 import { sides } from "../model/geometry";
 import type { Vector3 as Place, State } from "../model/state";
 import { type BoxRecord, MAX_BOXES } from "../net/protocol.gen";
+import { Lines } from "../views/lines";
 import { categoryColor } from "../views/palette";
 import type { Part } from "../views/part";
 
@@ -37,7 +37,7 @@ export class RealThings implements Part {
     gapSize: DASH * 0.6,
     transparent: true,
   });
-  readonly #lines = new LineSegments2(new LineSegmentsGeometry(), this.#material);
+  readonly #lines = new Lines(new LineSegmentsGeometry(), this.#material);
   readonly #hiding = new InstancedMesh(
     new BoxGeometry(1, 1, 1),
     new MeshBasicMaterial({ colorWrite: false }),

@@ -47,10 +47,20 @@ export class SettingUp {
     this.#change({ step: "ready", corner: null });
   }
 
-  /** Asks for the floor again, and for the corners of a room that has things in it. */
+  /** Asks for the floor again, and for two corners of the room if it has been outlined. */
   again(): void {
-    const { boxes } = this.#store.getState().scene;
-    this.#change({ step: "floor", room: boxes.length === 0 ? "new" : "known", surface: false });
+    const { tool, draft } = this.#store.getState();
+    const room = tool === "room" && draft !== null ? "new" : "known";
+    this.#change({ step: "floor", room, surface: false, corner: null });
+  }
+
+  /** The device has begun to count from somewhere else. */
+  reset(): void {
+    const { ar } = this.#store.getState();
+    if (ar?.step !== "ready") return;
+    this.again();
+    const text = "The device has lost its place. Show it the floor and the room again.";
+    this.#store.dispatch({ type: "notify", tone: "problem", text });
   }
 
   /** The next of the ways in which the room fits its corners. */
