@@ -12,7 +12,7 @@ from scenegen_core.graph.wording import metres, spoken
 from scenegen_core.placement.mounts import SUPPORTS
 from scenegen_core.placement.proposals import inward
 from scenegen_core.scene.geometry import TIE, Floats, directions, gaps, walls_as_rectangles
-from scenegen_core.scene.model import Box, Category, Symmetry
+from scenegen_core.scene.model import Box, Category, Opening, Symmetry
 
 AGAINST = 0.25  # metres between footprint and wall that people still call "against"
 CLOSE_BY = 0.8  # metres between footprint and wall that people call "near"
@@ -31,7 +31,7 @@ COMPASS = ("east", "north-east", "north", "north-west", "west", "south-west", "s
 
 def sentence(situation: Situation, category: Category) -> str:
     """One sentence on the single pose of a situation, without its subject."""
-    faced = _faced(situation) if category.symmetry is Symmetry.ASYMMETRIC else None
+    faced = faced_from(situation) if category.symmetry is Symmetry.ASYMMETRIC else None
     neighbor = _neighbor(situation, faced)
     parts = [_place(situation)]
     if neighbor is not None:
@@ -50,26 +50,40 @@ def compass(heading: float) -> str:
 
 
 def _place(situation: Situation) -> str:
-    carrier = _carrier(situation)
+    carrier = carrier_of(situation)
     if carrier is not None:
         return f"on the {spoken(carrier)}"
     walls, near = situation.surroundings.walls, situation.wall_gaps[0]
-    outward = inward(walls) + pi
     if situation.candidates.bottoms[0] > AGAINST:
-        behind = np.cos(outward - situation.candidates.headings[0])
-        back = np.where(near < AGAINST, behind, np.inf).argmin()
-        return f"on the {compass(float(outward[back]))} wall" if near[back] < AGAINST else "hanging"
-    nearest = compass(float(outward[(near <= near.min() + TIE).argmax()]))
+        wall = wall_behind(situation)
+        return f"on the {wall} wall" if wall else "hanging"
+    nearest = nearest_wall(situation)
     window = _by_window(situation)
     if near.min() < AGAINST:
-        corner = _corner(walls, near)
+        corner = corner_of(walls, near)
         return f"in the {corner} corner" if corner else f"against the {nearest} wall{window}"
     if near.min() < CLOSE_BY:
         return f"near the {nearest} wall{window}"
-    return f"{'in the middle of' if _is_central(situation) else 'out in'} the room{window}"
+    return f"{'in the middle of' if is_central(situation) else 'out in'} the room{window}"
 
 
-def _corner(walls: Floats, near: Floats) -> str:
+def nearest_wall(situation: Situation) -> str:
+    """The side of the plan of the wall that is nearest."""
+    near = situation.wall_gaps[0]
+    outward = inward(situation.surroundings.walls) + pi
+    return compass(float(outward[(near <= near.min() + TIE).argmax()]))
+
+
+def wall_behind(situation: Situation) -> str:
+    """The side of the plan of the wall that it hangs on; empty if none is so close."""
+    near = situation.wall_gaps[0]
+    outward = inward(situation.surroundings.walls) + pi
+    behind = np.cos(outward - situation.candidates.headings[0])
+    back = np.where(near < AGAINST, behind, np.inf).argmin()
+    return compass(float(outward[back])) if near[back] < AGAINST else ""
+
+
+def corner_of(walls: Floats, near: Floats) -> str:
     """The side of the plan of the corner between two walls that are touched; empty if none."""
     run = walls[:, 1] - walls[:, 0]
     unit = run / np.hypot(run[:, 0], run[:, 1])[:, None]
@@ -83,7 +97,8 @@ def _corner(walls: Floats, near: Floats) -> str:
     return compass(float(np.arctan2(y, x)))
 
 
-def _is_central(situation: Situation) -> bool:
+def is_central(situation: Situation) -> bool:
+    """Is the single pose in the middle of the room?"""
     room = shapely.Polygon(situation.surroundings.scene.room.corners)
     x, y, _ = situation.candidates.centers[0]
     return bool(np.hypot(x - room.centroid.x, y - room.centroid.y) < CENTRAL * sqrt(room.area))
@@ -91,15 +106,20 @@ def _is_central(situation: Situation) -> bool:
 
 def _by_window(situation: Situation) -> str:
     windows = situation.surroundings.scene.room.windows
-    if not windows:
-        return ""
-    panes = walls_as_rectangles(np.array([(w.start, w.end) for w in windows], dtype=float))
-    if gaps(situation.candidates.footprints, panes).min() >= CLOSE_BY:
+    if not is_by(situation, windows):
         return ""
     return " by the window" if len(windows) == 1 else " by a window"
 
 
-def _carrier(situation: Situation) -> Box | None:
+def is_by(situation: Situation, openings: tuple[Opening, ...]) -> bool:
+    """Is one of the doors or windows close by?"""
+    if not openings:
+        return False
+    segments = walls_as_rectangles(np.array([(o.start, o.end) for o in openings], dtype=float))
+    return bool(gaps(situation.candidates.footprints, segments).min() < CLOSE_BY)
+
+
+def carrier_of(situation: Situation) -> Box | None:
     """The box that it stands on, if any."""
     around, candidates = situation.surroundings, situation.candidates
     carriers = SUPPORTS.get(candidates.category, ())
@@ -113,7 +133,7 @@ def _carrier(situation: Situation) -> Box | None:
 def _neighbor(situation: Situation, faced: Box | None) -> Box | None:
     """The nearest piece that one would measure from, besides what is faced from afar."""
     unasked = (*UNTOLD_GROUPS, situation.candidates.category)
-    stands = _carrier(situation) is not None
+    stands = carrier_of(situation) is not None
     boxes = situation.surroundings.scene.boxes
     told = [
         (gap, index)
@@ -130,11 +150,11 @@ def _beside(situation: Situation, box: Box) -> str:
     """How it stands to a box near by."""
     gap = float(situation.gaps[0, situation.surroundings.scene.boxes.index(box)])
     if gap <= 0:
-        return f"{_over(situation, box)} the {spoken(box)}"
+        return f"{lies_to(situation, box)} the {spoken(box)}"
     return f"next to the {spoken(box)}" if gap < BESIDE else f"{metres(gap)} from the {spoken(box)}"
 
 
-def _over(situation: Situation, box: Box) -> str:
+def lies_to(situation: Situation, box: Box) -> str:
     """How it lies to a box over the same floor: above, under or at it."""
     if situation.candidates.bottoms[0] >= box.top - AGAINST:
         return "above"
@@ -148,7 +168,7 @@ def _facing(faced: Box, neighbor: Box | None) -> str:
     return "facing it" if faced is neighbor else f"facing another {spoken(faced)}"
 
 
-def _faced(situation: Situation) -> Box | None:
+def faced_from(situation: Situation) -> Box | None:
     """The most telling thing ahead, within sight; of one kind the nearest."""
     around = situation.surroundings
     toward = directions(situation.candidates.headings)[0]
@@ -161,6 +181,6 @@ def _faced(situation: Situation) -> Box | None:
         and situation.faces[0, index]
         and ahead[index]
         and gap[index] < IN_VIEW
-        and (gap[index] > 0 or _over(situation, box) == "at")
+        and (gap[index] > 0 or lies_to(situation, box) == "at")
     ]
     return around.scene.boxes[min(seen)[2]] if seen else None
