@@ -8,9 +8,12 @@ from __future__ import annotations
 import json
 import math
 from collections.abc import Iterator
+from io import BytesIO
 from typing import Any
 
+import numpy as np
 import pytest
+from PIL import Image
 from playwright.sync_api import Browser, Page, WebSocketRoute, expect
 
 from tests.e2e.ar_driving import MIDDLE, Phone, phone_at
@@ -270,6 +273,31 @@ def test_two_fingers_turn_it_and_one_drags_it(at_home: Phone) -> None:
     assert moved["heading"] == pytest.approx(turned["heading"], abs=math.radians(16))
 
 
+def test_a_side_that_was_marked_wrong_is_dragged_to_where_it_is(at_home: Phone) -> None:
+    phone = at_home
+    bed = ROOM["boxes"][0]
+    assert phone.thing_at((1.0, 2.6, 0.5), (3.0, 1.4, 1.6)) == "Bed"
+    phone.look((2.0, 2.6, 0.02), (3.4, 1.4, 1.6))  # the handle of its front
+    phone.drag(MIDDLE, (MIDDLE[0] + 90, MIDDLE[1]))
+    moved = phone.wait_for_saved(lambda scene: bool(scene["boxes"][0]["size"] != bed["size"]))
+    depth, width, height = moved["boxes"][0]["size"]
+    assert depth > 2.1
+    assert [width, height] == bed["size"][1:]
+    assert moved["boxes"][0]["center"][0] - depth / 2 == pytest.approx(0.0, abs=CENTIMETER / 2)
+
+
+def test_a_door_is_marked_on_its_wall(at_home: Phone) -> None:
+    phone = at_home
+    phone.page.get_by_role("navigation", name="Tools").get_by_role("button", name="Door").click()
+    for x in (0.8, 1.7):
+        phone.tap_at((x, 0.0, 1.0), (1.6, 2.0, 1.5))
+    (door,) = phone.wait_for_saved(lambda scene: bool(scene["room"]["doors"]))["room"]["doors"]
+    assert sorted([door["start"], door["end"]]) == [
+        pytest.approx([0.8, 0.0], abs=CENTIMETER),
+        pytest.approx([1.7, 0.0], abs=CENTIMETER),
+    ]
+
+
 def test_the_map_lies_on_the_real_floor_and_the_places_stand_on_it(at_home: Phone) -> None:
     phone = at_home
     phone.choose("Chair")
@@ -451,6 +479,15 @@ def test_no_picture_is_read_and_only_outlines_boxes_and_questions_leave_the_page
         assert all(url.startswith((server_url, "blob:")) for _, url, _ in left)
 
 
+def picture_difference(one: bytes, other: bytes) -> float:
+    """The share of pixels that differ visibly."""
+    a, b = (
+        np.asarray(Image.open(BytesIO(picture)).convert("RGB"), dtype=np.int16)
+        for picture in (one, other)
+    )
+    return float((np.abs(a - b).max(axis=2) > 12).mean())
+
+
 def furnished(count: int) -> Record:
     """The true room with that many chairs in it, that were placed."""
     chairs = [
@@ -514,9 +551,17 @@ def test_twelve_boxes_stay_within_the_means_of_a_phone_over_600_frames(
         assert heap(phone.page) - before < 600 * 1_000  # less than a kilobyte a frame stays
 
 
+def test_the_emulator_is_no_part_of_the_page() -> None:
+    for part in (ROOT / "web/dist").rglob("*.*s"):
+        assert "installPhone" not in part.read_text()
+        assert "IWER" not in part.read_text()
+
+
 def test_ten_sessions_leave_nothing_behind(browser: Browser, server_url: str) -> None:
     with phone_at(browser, server_url, prepare=prepared) as phone:
         phone.enter(ROOM)
+        phone.rest(20)
+        before = phone.page.screenshot()
         alive = []
         used = []
         for _ in range(10):
@@ -529,6 +574,10 @@ def test_ten_sessions_leave_nothing_behind(browser: Browser, server_url: str) ->
             alive.append(meter(phone.page)["alive"])
             used.append(heap(phone.page))
         assert alive[-1] <= alive[1]
+        phone.page.mouse.move(0, 0)
+        phone.rest(20)
+        # Not the last pixel: a button may still have the focus.
+        assert picture_difference(before, phone.page.screenshot()) < 0.02
         assert used[-1] - used[1] < 1_000_000
 
 

@@ -7,7 +7,7 @@ export interface Insets {
 }
 
 const SIDES = ["left", "right", "top", "bottom"] as const;
-const WATCHED = ".panel, .card";
+const WATCHED = ".panel, .card, .cameras";
 /** Below this width the panel is a sheet at the bottom; the style sheet has the same number. */
 const PHONE = "(max-width: 899px)";
 

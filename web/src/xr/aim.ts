@@ -1,9 +1,9 @@
 import type { Group } from "three";
 import { distance, type Segment } from "../model/geometry";
-import type { Point, State } from "../model/state";
+import type { Point, State, Vector3 } from "../model/state";
 import type { Dispatch } from "../store";
-import type { Ray } from "../views/picking";
-import { aimed, isMarking, pointAt } from "./marking";
+import { meetWall, type Ray } from "../views/picking";
+import { aimed, isMarking, isOnWalls, pointAt } from "./marking";
 import { type Placed, placeOf } from "./rays";
 import { Reticle } from "./reticle";
 
@@ -30,15 +30,20 @@ export class Aim {
   /** The ring lies where a surface was found, while the floor is looked for. */
   find(surface: Placed | null, ray: Ray): void {
     if (surface === null) this.#reticle.hide();
-    else this.#ring(placeOf(surface), ray);
+    else this.#ring(placeOf(surface), ray, null);
   }
 
   /** The ring lies where the next mark would be; true to the floor, not to what stands on it. */
   point(state: State, ray: Ray): void {
     const marking = state.ar?.step === "line-up" || isMarking(state);
+    const wall = isOnWalls(state) ? meetWall(ray, state.scene.room) : null;
+    if (marking && wall !== null) {
+      this.#ring(wall.at, ray, wall.heading);
+      return;
+    }
     const at = marking && state.draft?.kind !== "box-height" ? pointAt(state, ray) : null;
     if (at === null) this.#reticle.hide();
-    else this.#ring([at[0], at[1], 0], ray);
+    else this.#ring([at[0], at[1], 0], ray, null);
   }
 
   /** Has what is drawn or carried follow, but not more often than one can see. */
@@ -60,8 +65,8 @@ export class Aim {
     this.#reticle.dispose();
   }
 
-  #ring(at: readonly [number, number, number], { origin }: Ray): void {
+  #ring(at: Vector3, { origin }: Ray, wall: number | null): void {
     const [x, y, z] = origin;
-    this.#reticle.show(at, Math.hypot(at[0] - x, at[1] - y, at[2] - z));
+    this.#reticle.show(at, Math.hypot(at[0] - x, at[1] - y, at[2] - z), wall);
   }
 }

@@ -56,10 +56,14 @@ export function aimed(state: State, ray: Ray): Dragged | null {
   return drag(state, grip, ray, false, false);
 }
 
+/** Whether what is marked is in the walls. */
+export function isOnWalls({ tool }: State): boolean {
+  return tool === "door" || tool === "window";
+}
+
 /** Where on the floor (or, for doors and windows, along the walls) a ray points. */
 export function pointAt(state: State, ray: Ray): Point | null {
-  const onWalls = state.tool === "door" || state.tool === "window";
-  const at = onWalls ? handOnWalls(state, ray) : meetLevel(ray, 0);
+  const at = isOnWalls(state) ? handOnWalls(state, ray) : meetLevel(ray, 0);
   return at && distance(at, [ray.origin[0], ray.origin[1]]) < REACH ? at : null;
 }
 

@@ -14,12 +14,18 @@ import { LineSegmentsGeometry } from "three/addons/lines/LineSegmentsGeometry.js
 import { bottomOf, footprint, headingOf, topOf } from "../model/footprints";
 import { sides } from "../model/geometry";
 import type { Vector3 as Place, State } from "../model/state";
-import { type BoxRecord, MAX_BOXES } from "../net/protocol.gen";
+import {
+  type BoxRecord,
+  MAX_BOXES,
+  type OpeningRecord,
+  type RoomRecord,
+} from "../net/protocol.gen";
 import { Lines } from "../views/lines";
 import { categoryColor } from "../views/palette";
 import type { Part } from "../views/part";
 
 const DASH = 0.08; // metres
+const ABOVE = 0.006; // metres over the floor
 const FLOOR_LINE = "#ffffff";
 const FIRST = -10; // render order: what hides is drawn before all else
 
@@ -62,7 +68,7 @@ export class RealThings implements Part {
     if (scene === this.#shown) return;
     this.#shown = scene;
     const real = scene.boxes.filter(({ placed }) => placed !== true);
-    this.#drawLines(real, sides(scene.room.corners).flat());
+    this.#drawLines(real, scene.room);
     this.#hide(real);
   }
 
@@ -75,8 +81,10 @@ export class RealThings implements Part {
     this.#hiding.dispose();
   }
 
-  #drawLines(boxes: readonly BoxRecord[], outline: readonly (readonly [number, number])[]): void {
-    const floor = outline.map(([x, y]): Place => [x, y, 0.006]);
+  #drawLines(boxes: readonly BoxRecord[], room: RoomRecord): void {
+    const openings = [...room.doors, ...room.windows].flatMap(frameOf);
+    const outline = sides(room.corners).flat();
+    const floor = [...outline.map(([x, y]): Place => [x, y, ABOVE]), ...openings];
     const edges = boxes.map(edgesOf);
     const colors = [
       ...floor.map(() => FLOOR_LINE),
@@ -104,6 +112,17 @@ export class RealThings implements Part {
     });
     this.#hiding.instanceMatrix.needsUpdate = true;
   }
+}
+
+/** The edges of a door or a window. */
+function frameOf({ start, end, bottom, top }: OpeningRecord): readonly Place[] {
+  const corners: readonly Place[] = [
+    [...start, bottom],
+    [...end, bottom],
+    [...end, top],
+    [...start, top],
+  ];
+  return corners.flatMap((corner, i) => [corner, corners[(i + 1) % 4] ?? corner]);
 }
 
 /** The ends of the twelve edges of a box, two by two. */

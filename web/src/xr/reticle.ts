@@ -6,7 +6,7 @@ const LEAST = 0.03; // metres
 const MOST = 0.2; // metres
 const ABOVE = 0.008; // metres over the floor
 
-/** The ring on the floor where the phone points. White in dark, to be seen on every floor. */
+/** The ring where the phone points. White in dark, to be seen on every floor. */
 export class Reticle {
   readonly root = new Group();
   readonly #parts = [
@@ -20,10 +20,15 @@ export class Reticle {
     this.hide();
   }
 
-  /** Shows it at a place of the core frame, as far away as that is from the eye. */
-  show([x, y, z]: Vector3, distance: number): void {
+  /**
+   * Shows it at a place of the core frame, as far away as that is from the eye: on the floor, or on
+   * the wall that faces along a heading.
+   */
+  show([x, y, z]: Vector3, distance: number, wall: number | null): void {
     this.root.visible = true;
-    this.root.position.set(x, y, z + ABOVE);
+    this.root.rotation.set(0, wall === null ? 0 : Math.PI / 2, wall ?? 0, "ZYX");
+    const [out, up] = wall === null ? [0, ABOVE] : [ABOVE, 0];
+    this.root.position.set(x + Math.cos(wall ?? 0) * out, y + Math.sin(wall ?? 0) * out, z + up);
     this.root.scale.setScalar(Math.min(Math.max(distance * RADIUS, LEAST), MOST));
   }
 
