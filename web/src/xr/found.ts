@@ -51,14 +51,18 @@ export function foundIn(pieces: readonly Piece[], room: RoomRecord): Found | nul
     pieces.filter(({ flat }) => !flat),
     walls,
   );
+  // A table top of a table that is known as a whole is not another table.
   const flat = boxesOf(
     pieces.filter(({ flat }) => flat),
     walls,
-  ).filter(
-    (one) => !solid.some((other) => isInside([one.center[0], one.center[1]], footprint(other))),
-  );
+  ).filter((one) => !solid.some((other) => isPartOf(one, other)));
   const boxes = [...solid, ...flat].map((box, i) => ({ ...box, id: `box-${i + 1}` }));
   return boxes.length === 0 && corners === null ? null : { corners, boxes };
+}
+
+function isPartOf(one: BoxRecord, whole: BoxRecord): boolean {
+  const [x, y] = one.center;
+  return one.category === whole.category && isInside([x, y], footprint(whole));
 }
 
 /** The outline of the floor; null unless it makes a room. */
