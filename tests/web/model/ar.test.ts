@@ -39,6 +39,14 @@ describe("the camera view", () => {
     expect(play(left, { type: "change-ar", change: { surface: true } })).toBe(left);
   });
 
+  test("another room has to be lined up, a new one is drawn where it is", () => {
+    const drawn = play(ready(begin([box("a")])), { type: "new-room" });
+    expect(drawn.ar?.step).toBe("ready");
+    const back = play(drawn, { type: "choose-tool", tool: "select" }, { type: "undo" });
+    expect(back.scene.boxes).toHaveLength(1);
+    expect(back.ar).toMatchObject({ step: "line-up", room: "known" });
+  });
+
   test("what is placed by hand goes where the phone points until SceneGen is asked", () => {
     const wish = { category: "Chair", item: null, size: null, view: [1, 1] as Point };
     const byHand = play(ready(begin()), { type: "place", ...wish, mode: "manual" });

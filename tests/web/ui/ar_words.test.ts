@@ -50,9 +50,13 @@ describe("what to do next in the camera view", () => {
   test("each step is told to who does not see it, once", () => {
     const seen = play(entered, change({ surface: true }));
     expect(announcement(entered, seen)).toContain("on the floor");
-    const lost = play(seen, change({ tracking: "lost" }));
-    expect(announcement(seen, lost)).toContain("lost the room");
+    const lost = play(ready, change({ tracking: "lost" }));
+    expect(announcement(ready, lost)).toContain("lost the room");
     expect(announcement(lost, play(lost, change({ occlusion: false })))).toBeNull();
+  });
+
+  test("what is not found yet cannot be lost", () => {
+    expect(words(play(entered, change({ tracking: "lost" })))[0]).toContain("move your phone");
   });
 
   test("the end of the camera view is told", () => {

@@ -33,6 +33,12 @@ export function carried(state: State): State {
   return changeAr(state, { carrying: state.placing?.mode === "manual" });
 }
 
+/** Another room than the one that was lined up has a place of its own; a new one gets it as drawn. */
+export function elsewhere(before: State, after: State): State {
+  if (after.scene.id === before.scene.id || after.tool === "room") return after;
+  return changeAr(after, { step: "line-up", room: "known", corner: null });
+}
+
 export function leaveAr(state: State): State {
   return state.ar === null ? state : { ...state, ar: null, draft: null, tool: "select" };
 }

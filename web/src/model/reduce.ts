@@ -1,7 +1,7 @@
 /** The only thing that makes a new state. */
 import type { SceneRecord } from "../net/protocol.gen";
 import { answered, askRefused, inAnotherRoom, inspected } from "./answers";
-import { carried, changeAr, checkPiece, enterAr, leaveAr, useFound } from "./ar";
+import { carried, changeAr, checkPiece, elsewhere, enterAr, leaveAr, useFound } from "./ar";
 import { confirm, followedUp, stopWaiting } from "./confirming";
 import {
   chooseTool,
@@ -186,7 +186,8 @@ function followed(before: State, after: State): State {
   if (scene === before.scene) return after;
   const selection = valid(scene, after.selection);
   if (scene.id !== before.scene.id) {
-    return inAnotherRoom({ ...after, selection, models: {}, graph: null, probe: null });
+    const other = inAnotherRoom({ ...after, selection, models: {}, graph: null, probe: null });
+    return elsewhere(before, other);
   }
   if (placing === null) return { ...after, selection };
   return { ...after, selection, placing: { ...placing, computing: placing.problem === null } };

@@ -20,7 +20,7 @@ export function obstacleInWords(support: ArSupport): string | null {
 /** One plain sentence saying what to do next; null when nothing needs saying. */
 export function arHint(state: State, ar: Ar): string | null {
   if (ar.tracking === "paused") return "Paused. Come back to go on.";
-  if (ar.tracking === "lost") {
+  if (ar.tracking === "lost" && ar.step !== "floor") {
     return "I've lost the room. Point the phone where you were, and move it slowly.";
   }
   switch (ar.step) {

@@ -22,6 +22,7 @@ import { grantedFeatures } from "./session_init";
 import { SettingUp } from "./setting_up";
 
 const FIRST_STEP = 1 / 60; // seconds, before the first frame
+const MAX_STEP = 0.25; // seconds; a longer pause is not caught up with
 const LOST = 0.5; // seconds without a pose until it is said
 
 export interface Ties {
@@ -97,7 +98,7 @@ export class ArView {
     base.addEventListener("reset", () => setUp.reset(), { signal });
     this.#place = { anchoring, setUp };
     const granted = grantedFeatures(this.#session);
-    if (!granted.includes("dom-overlay")) this.#float();
+    if (!this.#session.domOverlayState?.type) this.#float();
     this.#ties.store.dispatch({ type: "enter-ar", room, granted });
     xr.setAnimationLoop((now, frame) => frame && this.#frame(now, frame));
     await Promise.all([this.#hits.begin(this.#session), this.#daylight.begin(this.#session)]);
@@ -217,7 +218,7 @@ export class ArView {
   }
 
   #frame(now: number, frame: XRFrame): void {
-    const elapsed = this.#last === 0 ? FIRST_STEP : (now - this.#last) / 1000;
+    const elapsed = this.#last === 0 ? FIRST_STEP : Math.min((now - this.#last) / 1000, MAX_STEP);
     this.#last = now;
     const anchoring = this.#place?.anchoring;
     const pose = anchoring && frame.getViewerPose(anchoring.space);
