@@ -10,15 +10,21 @@ const TURN = 0.001; // radians
  */
 export class Anchoring {
   readonly #base: XRReferenceSpace;
+  readonly #hasAnchors: boolean;
   readonly #place: (space: XRReferenceSpace) => void;
   #alignment: Alignment = { at: [0, 0, 0], turn: 0 };
   #space: XRReferenceSpace;
   #anchor: XRAnchor | null = null;
   #wanted = false;
 
-  /** `place` is told of each new frame of the room. */
-  constructor(base: XRReferenceSpace, place: (space: XRReferenceSpace) => void) {
+  /** `place` is told of each new frame of the room; anchors are used where they are granted. */
+  constructor(
+    base: XRReferenceSpace,
+    hasAnchors: boolean,
+    place: (space: XRReferenceSpace) => void,
+  ) {
     this.#base = base;
+    this.#hasAnchors = hasAnchors;
     this.#place = place;
     this.#space = base;
   }
@@ -36,21 +42,18 @@ export class Anchoring {
   /** Moves the frame within itself: its new origin and x axis are given as they are now. */
   move(by: Move): void {
     this.#align(moved(this.#alignment, by));
-    this.#wanted = true;
+    this.#wanted = this.#hasAnchors;
   }
 
   /** Puts the origin on the floor, at a place of the device's frame; +y points along `ahead`. */
   stand(at: Vector3, ahead: number): void {
     this.#align({ at, turn: ahead });
-    this.#wanted = true;
+    this.#wanted = this.#hasAnchors;
   }
 
   /** Follows the anchor; asks for one in each new place. */
   update(frame: XRFrame): void {
-    if (this.#wanted && frame.createAnchor) {
-      this.#wanted = false;
-      this.#renew(frame.createAnchor(transformOf(this.#alignment), this.#base));
-    }
+    if (this.#wanted) this.#renew(frame);
     const pose = this.#anchor && frame.getPose(this.#anchor.anchorSpace, this.#base);
     if (pose) this.#follow(pose.transform);
   }
@@ -60,12 +63,15 @@ export class Anchoring {
     this.#anchor = null;
   }
 
-  #renew(coming: Promise<XRAnchor> | undefined): void {
+  #renew(frame: XRFrame): void {
+    this.#wanted = false;
     this.dispose();
-    coming?.then(
+    const asked = this.#alignment;
+    frame.createAnchor?.(transformOf(asked), this.#base)?.then(
       (anchor) => {
-        this.#anchor?.delete();
-        this.#anchor = anchor;
+        // It may come when the room has been moved on, and another one was asked for.
+        if (this.#alignment === asked) this.#anchor = anchor;
+        else anchor.delete();
       },
       () => {}, // without an anchor the room stays where it was put
     );

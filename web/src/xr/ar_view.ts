@@ -92,12 +92,14 @@ export class ArView {
     xr.setReferenceSpaceType("local-floor");
     await xr.setSession(this.#session);
     const base = xr.getReferenceSpace() as XRReferenceSpace;
-    const anchoring = new Anchoring(base, (space) => xr.setReferenceSpace(space));
+    const granted = grantedFeatures(this.#session);
+    const anchoring = new Anchoring(base, granted.includes("anchors"), (space) =>
+      xr.setReferenceSpace(space),
+    );
     const setUp = new SettingUp(anchoring, this.#ties.store);
     const { signal } = this.#listening;
     base.addEventListener("reset", () => setUp.reset(), { signal });
     this.#place = { anchoring, setUp };
-    const granted = grantedFeatures(this.#session);
     if (!this.#session.domOverlayState?.type) this.#float();
     this.#ties.store.dispatch({ type: "enter-ar", room, granted });
     xr.setAnimationLoop((now, frame) => frame && this.#frame(now, frame));
