@@ -12,6 +12,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from scenegen_core.scene.compiled import all_gaps
 from scenegen_core.scene.model import Box
 
 Floats = NDArray[np.float64]
@@ -19,7 +20,6 @@ Bools = NDArray[np.bool_]
 Ints = NDArray[np.int64]
 
 TIE = 1e-9  # metres; distances that differ by rounding only are the same
-PAIRS_A_BLOCK = 400_000  # keeps the temporaries of one block in the processor's cache
 
 
 @dataclass(frozen=True, slots=True)
@@ -41,6 +41,11 @@ class Rectangles:
         """The unit vectors a_k and b_k of each: (n, 2 axes, 2)."""
         along = directions(self.headings)
         return np.stack([along, left_of(along)], axis=1)
+
+    @property
+    def rows(self) -> Floats:
+        """Rows x, y, cos, sin, half depth, half width, as compiled loops take them: (n, 6)."""
+        return np.concatenate([self.centers, directions(self.headings), self.halves], axis=1)
 
     @property
     def corners(self) -> Floats:
@@ -88,46 +93,8 @@ def gaps(shapes: Rectangles, others: Rectangles) -> Floats:
     Positive: the shortest distance. Negative: how far one must move to part them.
     """
     out = np.empty((len(shapes), len(others)))
-    rows = max(1, PAIRS_A_BLOCK // max(1, len(others)))
-    for start in range(0, len(shapes), rows):
-        out[start : start + rows] = _gaps_of_block(shapes[start : start + rows], others)
+    all_gaps(shapes.rows, others.rows, out)
     return out
-
-
-def _gaps_of_block(shapes: Rectangles, others: Rectangles) -> Floats:
-    """Gaps of few enough pairs.
-
-    Two rectangles that do not meet are nearest at a corner of one of them, so the distance is the
-    least of eight distances from a corner to a rectangle. Two that meet have the separating-axis
-    depth: the largest (least negative) separation along the four edge normals.
-    """
-    offset = shapes.centers[:, None, :] - others.centers[None, :, :]
-    turn = shapes.headings[:, None] - others.headings[None, :]
-    cos, sin = np.cos(turn), np.sin(turn)
-    (h1, w1), (h2, w2) = shapes.halves.T, others.halves.T
-    h1, w1 = h1[:, None], w1[:, None]
-    x2, y2 = _in_frame(offset, others.headings[None, :])
-    x1, y1 = _in_frame(-offset, shapes.headings[:, None])
-    shadow_cos, shadow_sin = np.abs(cos), np.abs(sin)
-    depth = np.maximum(
-        np.maximum(
-            np.abs(x2) - h2 - h1 * shadow_cos - w1 * shadow_sin,
-            np.abs(y2) - w2 - h1 * shadow_sin - w1 * shadow_cos,
-        ),
-        np.maximum(
-            np.abs(x1) - h1 - h2 * shadow_cos - w2 * shadow_sin,
-            np.abs(y1) - w1 - h2 * shadow_sin - w2 * shadow_cos,
-        ),
-    )
-    squared = np.full(depth.shape, np.inf)
-    for i, j in ((1, 1), (-1, 1), (-1, -1), (1, -1)):
-        # a corner of ours in their frame, then a corner of theirs in ours
-        ours = _outside(x2 + i * h1 * cos - j * w1 * sin, y2 + i * h1 * sin + j * w1 * cos, h2, w2)
-        theirs = _outside(
-            x1 + i * h2 * cos + j * w2 * sin, y1 - i * h2 * sin + j * w2 * cos, h1, w1
-        )
-        squared = np.minimum(squared, np.minimum(ours, theirs))
-    return np.where(depth > 0, np.sqrt(squared), depth)
 
 
 def _in_frame(offset: Floats, heading: Floats) -> tuple[Floats, Floats]:

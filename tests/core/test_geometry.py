@@ -12,7 +12,6 @@ from shapely import LineString, Point, Polygon
 from shapely import box as shapely_box
 from shapely.affinity import rotate, translate
 
-from scenegen_core.scene import geometry
 from scenegen_core.scene.geometry import (
     Rectangles,
     directions,
@@ -81,16 +80,6 @@ def test_a_negative_gap_is_how_far_one_must_move_to_part_them(
 
     assert min(left_over(depth + 1e-6, turn) for turn in turns) == pytest.approx(0, abs=1e-9)
     assert min(left_over(depth * 0.9, k * pi / 16) for k in range(32)) > 0
-
-
-def test_gaps_are_the_same_in_blocks(monkeypatch: pytest.MonkeyPatch) -> None:
-    rng = np.random.default_rng(5)
-    shapes = Rectangles(
-        rng.uniform(-5, 5, (23, 2)), rng.uniform(0.1, 1, (23, 2)), rng.uniform(-pi, pi, 23)
-    )
-    whole = gaps(shapes, shapes[:9])
-    monkeypatch.setattr(geometry, "PAIRS_A_BLOCK", 20)
-    np.testing.assert_array_equal(gaps(shapes, shapes[:9]), whole)
 
 
 def test_there_are_no_gaps_to_nothing() -> None:
