@@ -37,7 +37,7 @@ class Relation:
     """Situation -> (poses, columns)."""
     per_group: bool = False
     parts: tuple[str, ...] = ("",)
-    """Names of the columns of a relation that is not per group."""
+    """Names of its columns, for each group or for the whole."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -47,17 +47,25 @@ class Column:
     relation: str
     """The relation's abbreviation."""
     group: str
-    """The group's name, the part's name, or empty."""
+    """The group's name; empty where the relation is not per group."""
     values: Values
+    part: str = ""
+    """Which of the relation's columns, where it has several."""
+
+    @property
+    def about(self) -> str:
+        """The group or part that it is about, or empty."""
+        return self.group or self.part
 
 
 def columns(relations: tuple[Relation, ...], groups: tuple[Category, ...]) -> tuple[Column, ...]:
     """What each column of :func:`measure` is."""
     names = tuple(group.name for group in groups)
     return tuple(
-        Column(relation.short, name, relation.values)
+        Column(relation.short, group, relation.values, part)
         for relation in relations
-        for name in (names if relation.per_group else relation.parts)
+        for group in (names if relation.per_group else ("",))
+        for part in relation.parts
     )
 
 

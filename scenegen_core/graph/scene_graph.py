@@ -184,4 +184,4 @@ def _measured(
     situation = Situation(Candidates.of(box), Surroundings(others, groups))
     values = measure(relations, situation)[0].tolist()
     for column, value in zip(columns(relations, groups), values, strict=True):
-        yield BY_SHORT[column.relation], column.group, value
+        yield BY_SHORT[column.relation], column.about, value

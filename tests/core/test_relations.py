@@ -71,7 +71,7 @@ TWINS: dict[str, Callable[[Box, Scene, str, float], float]] = {
 
 def by_the_book(scene: Scene, box: Box, column: Column, hair: float = 0) -> float:
     """What the paper's equation says; ``hair`` is added to its constants."""
-    return TWINS[column.relation](box, scene, column.group, hair)
+    return TWINS[column.relation](box, scene, column.about, hair)
 
 
 def nudged(box: Box) -> Iterable[Box]:
@@ -95,7 +95,7 @@ def agrees(value: float, scene: Scene, box: Box, column: Column) -> bool:
 def disagreements(scene: Scene, told: Scene) -> list[str]:
     """Where the relations in ``scene`` are not what the book says of ``told``."""
     return [
-        f"{box.id} {column.relation} {column.group}: {value}, the book says "
+        f"{box.id} {column.relation} {column.about}: {value}, the book says "
         f"{by_the_book(told, told[box.id], column)}"
         for box in scene.boxes
         for column, value in measured(scene, box).items()
@@ -254,7 +254,7 @@ def test_a_drawn_room_is_described_as_one_sees_it(
     (found,) = (
         number
         for column, number in values.items()
-        if (column.relation, column.group) == (relation, group)
+        if (column.relation, column.about) == (relation, group)
     )
     assert found == pytest.approx(value)
 

@@ -1,0 +1,221 @@
+"""Our own relations, beside the paper's: the footprint to walls, openings, neighbors and twins.
+
+They measure from the footprint, not from the center, and look at the nearest member of each group
+in that member's own frame (docs/model.md). NaN says that there is nothing to measure to. What has
+no front is measured up to a half turn: "behind" is then the nearer end.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from scenegen_core.graph import scan
+from scenegen_core.graph.relations import Relation
+from scenegen_core.graph.situation import Situation
+from scenegen_core.graph.surroundings import Surroundings
+from scenegen_core.scene.geometry import (
+    TIE,
+    Bools,
+    Floats,
+    Ints,
+    gaps,
+    left_of,
+    walls_as_rectangles,
+)
+from scenegen_core.scene.model import Opening, Symmetry
+
+SAME_SIZE = 0.1  # share by which twins may differ in each dimension
+SAME_LENGTH = 0.03  # metres by which they may always
+PARTNER = 0.8  # metres; what stands nearer to a box can mirror it
+OFF_AXIS = 0.1  # metres; a box nearer to an axis is its own mirror image
+TAKEN = 0.25  # metres; a mirror place this near to a box of the kind is taken
+
+
+def _walls(situation: Situation) -> Floats:
+    """The walls behind, ahead and beside, the nearest, how parallel it is to them."""
+    walls = situation.surroundings.walls
+    run = walls[:, 1] - walls[:, 0]
+    normal = left_of(run)
+    inward = np.arctan2(normal[:, 1], normal[:, 0])
+    shapes = situation.surroundings.wall_shapes.rows
+    out = np.empty((len(situation.candidates), len(scan.WALL_PARTS)))
+    scan.look_at_walls(
+        _poses(situation), situation.candidates.headings, _half(situation), _symmetric(situation),
+        walls, shapes, inward, out,
+    )  # fmt: skip
+    return out
+
+
+def _free_space(situation: Situation) -> Floats:
+    """The free floor behind, ahead and beside, and what is near."""
+    candidates, around = situation.candidates, situation.surroundings
+    shared = np.minimum(candidates.tops[:, None], around.tops) - np.maximum(
+        candidates.bottoms[:, None], around.bottoms
+    )
+    in_the_way: Bools = (shared > scan.COMMON_HEIGHT) & (around.tops - around.bottoms > scan.FLAT)
+    out = np.empty((len(candidates), len(scan.FREE_PARTS)))
+    scan.look_round(
+        _poses(situation), _half(situation), _symmetric(situation),
+        around.walls, around.footprints.rows, in_the_way, out,
+    )  # fmt: skip
+    return out
+
+
+def _middle(situation: Situation) -> Floats:
+    """Distance to the middle of the room, in units of its size, and where it lies."""
+    x, y = situation.surroundings.walls[:, 0].T
+    cross = x * np.roll(y, -1) - np.roll(x, -1) * y
+    area = cross.sum() / 2
+    middle = np.array([((x + np.roll(x, -1)) * cross).sum(), ((y + np.roll(y, -1)) * cross).sum()])
+    to = middle / (6 * area) - situation.candidates.centers[:, :2]
+    fronts = situation.fronts
+    away = np.hypot(*to.T)
+    bearing = np.abs(np.arctan2((to * left_of(fronts)).sum(axis=1), (to * fronts).sum(axis=1)))
+    bearing[away < TIE] = 0.0
+    if _symmetric(situation):
+        bearing = np.minimum(bearing, np.pi - bearing)
+    return np.stack([away / np.sqrt(abs(area)), bearing], axis=1)
+
+
+def _doors(situation: Situation) -> Floats:
+    """The nearest door: gap, where it lies, how far aside."""
+    return _openings(situation, situation.surroundings.scene.room.doors)
+
+
+def _windows(situation: Situation) -> Floats:
+    """The nearest window: gap, where it lies, how far aside."""
+    return _openings(situation, situation.surroundings.scene.room.windows)
+
+
+def _openings(situation: Situation, openings: tuple[Opening, ...]) -> Floats:
+    segments = np.array([(o.start, o.end) for o in openings], dtype=float).reshape(-1, 2, 2)
+    out = np.empty((len(situation.candidates), len(scan.OPENING_PARTS)))
+    scan.look_at_openings(
+        _poses(situation), _half(situation), _symmetric(situation),
+        walls_as_rectangles(segments).rows, out,
+    )  # fmt: skip
+    return out
+
+
+def _height(situation: Situation) -> Floats:
+    """The height of the underside."""
+    return situation.candidates.bottoms[:, None]
+
+
+def _neighbors(situation: Situation) -> Floats:
+    """The nearest member of each group, in its own frame."""
+    around = situation.surroundings
+    symmetric = {group.name for group in around.groups if group.symmetry is Symmetry.SYMMETRIC}
+    return _look_at(situation, around.group_of, len(around.groups), symmetric)
+
+
+def _twins(situation: Situation) -> Floats:
+    """The nearest box of the same category and size, in its own frame."""
+    around, size = situation.surroundings, np.array(situation.candidates.size)
+    sizes = np.array([box.size for box in around.scene.boxes]).reshape(-1, 3)
+    alike = (np.abs(sizes - size) <= np.maximum(SAME_SIZE * size, SAME_LENGTH)).all(axis=1)
+    twins = np.where(alike & _of_the_kind(situation), 0, -1)
+    frontless = {situation.candidates.category} if _symmetric(situation) else set[str]()
+    return _look_at(situation, twins.astype(np.int64), 1, frontless)
+
+
+def _mirror(situation: Situation) -> Floats:
+    """Distance and turn to the nearest free place that mirrors one of the kind."""
+    places = mirror_places(situation.surroundings, _of_the_kind(situation))
+    out = np.empty((len(situation.candidates), 2))
+    scan.look_at_twins_places(
+        _poses(situation), situation.candidates.headings, _symmetric(situation), places, out
+    )
+    return out
+
+
+def _size(situation: Situation) -> Floats:
+    """The object's own depth, width and height, and the area of the room; the same everywhere."""
+    x, y = situation.surroundings.walls[:, 0].T
+    area = abs((x * np.roll(y, -1) - np.roll(x, -1) * y).sum()) / 2
+    row = np.array([*situation.candidates.size, area])
+    return np.broadcast_to(row, (len(situation.candidates), 4)).copy()
+
+
+def mirror_places(around: Surroundings, kind: Bools) -> Floats:
+    """Where a box of the kind would mirror another about what stands beside it: (k, 3).
+
+    Rows are x, y, heading. About each axis of a partner, and about its center; places that are
+    taken are left out.
+    """
+    shapes = around.footprints
+    which = np.flatnonzero(kind)
+    solid = (around.tops - around.bottoms > scan.FLAT) & ~kind
+    close = gaps(shapes[which], shapes) <= PARTNER
+    places = []
+    for row, one in enumerate(which):
+        for partner in np.flatnonzero(close[row] & solid):
+            offset = shapes.centers[one] - shapes.centers[partner]
+            for axis in shapes.axes[partner]:
+                away = offset @ axis
+                if abs(away) >= OFF_AXIS:
+                    about = np.pi + 2 * np.arctan2(axis[1], axis[0])
+                    place = shapes.centers[one] - 2 * away * axis
+                    places.append((*place, about - shapes.headings[one]))
+            opposite = shapes.centers[partner] - offset
+            places.append((*opposite, shapes.headings[one] + np.pi))
+    found = np.array(places, dtype=np.float64).reshape(-1, 3)
+    apart = np.hypot(*(found[:, None, :2] - shapes.centers[which][None]).transpose(2, 0, 1))
+    return np.asarray(found[(apart > TAKEN).all(axis=1)], dtype=np.float64)
+
+
+def _look_at(situation: Situation, group_of: Ints, groups: int, without_front: set[str]) -> Floats:
+    candidates, around = situation.candidates, situation.surroundings
+    fronted = np.array(
+        [box.category not in without_front for box in around.scene.boxes], dtype=bool
+    )
+    out = np.empty((len(candidates), groups * len(scan.NEIGHBOR_PARTS)))
+    scan.look_at_neighbors(
+        _poses(situation), candidates.headings, _half(situation), candidates.bottoms,
+        _symmetric(situation), around.footprints.rows, around.footprints.headings, around.tops,
+        around.fronts_known & fronted, group_of, groups, out,
+    )  # fmt: skip
+    return out
+
+
+def _of_the_kind(situation: Situation) -> Bools:
+    category = situation.candidates.category
+    return np.array(
+        [b.category == category for b in situation.surroundings.scene.boxes], dtype=bool
+    )
+
+
+def _symmetric(situation: Situation) -> bool:
+    """Has the object no front?"""
+    category = situation.candidates.category
+    return any(
+        group.name == category and group.symmetry is Symmetry.SYMMETRIC
+        for group in situation.surroundings.groups
+    )
+
+
+def _half(situation: Situation) -> Floats:
+    return np.array(situation.candidates.size[:2]) / 2
+
+
+def _poses(situation: Situation) -> Floats:
+    """Rows x, y, cos, sin of the poses."""
+    return np.concatenate([situation.candidates.centers[:, :2], situation.fronts], axis=1)
+
+
+WALLS = Relation("Walls", "W", "continuous", _walls, parts=scan.WALL_PARTS)
+FREE_SPACE = Relation("FreeSpace", "FS", "continuous", _free_space, parts=scan.FREE_PARTS)
+MIDDLE = Relation("Middle", "M", "continuous", _middle, parts=("distance", "bearing"))
+DOORS = Relation("Doors", "DR", "continuous", _doors, parts=scan.OPENING_PARTS)
+WINDOWS = Relation("Windows", "WN", "continuous", _windows, parts=scan.OPENING_PARTS)
+HEIGHT = Relation("Height", "H", "continuous", _height)
+NEIGHBOR = Relation(
+    "Neighbor", "N", "continuous", _neighbors, per_group=True, parts=scan.NEIGHBOR_PARTS
+)
+TWIN = Relation("Twin", "TW", "continuous", _twins, parts=scan.NEIGHBOR_PARTS)
+MIRROR = Relation("Mirror", "MI", "continuous", _mirror, parts=("distance", "turn"))
+SIZE = Relation("Size", "SZ", "continuous", _size, parts=("depth", "width", "height", "room"))
+
+OWN_RELATIONS: tuple[Relation, ...] = (
+    WALLS, FREE_SPACE, MIDDLE, DOORS, WINDOWS, HEIGHT, NEIGHBOR, TWIN, MIRROR, SIZE,
+)  # fmt: skip
