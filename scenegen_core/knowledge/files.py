@@ -5,6 +5,7 @@ from __future__ import annotations
 import zipfile
 import zlib
 from importlib import resources
+from itertools import chain
 from pathlib import Path
 from typing import IO, Any, Literal
 
@@ -16,13 +17,16 @@ from numpy.typing import NDArray
 
 from scenegen_core.errors import KnowledgeError
 from scenegen_core.graph.relations import Column
+from scenegen_core.knowledge.choice import BINS, Choice, choice_columns
 from scenegen_core.knowledge.knowledge import SETTINGS, CategoryKnowledge, Knowledge
 from scenegen_core.knowledge.sources import Source
 from scenegen_core.scene.model import Category
 
-VERSION: Literal[1] = 1
+VERSION: Literal[2] = 2
 ARRAYS = ("rows", "rooms", "front_known", "sizes", "bottoms", "weights")
 """The arrays of a category; ``rooms`` holds indices into the header's rooms."""
+TABLES = ("curves", "pairs", "surfaces", "examples")
+"""The arrays of a choice, beside the indices of the rooms of its examples."""
 
 BROKEN = (
     ValueError, TypeError, KeyError, IndexError, EOFError, zipfile.BadZipFile, zlib.error,
@@ -38,9 +42,10 @@ class _Header(Struct, frozen=True, tag_field="format", tag="scenegen.knowledge")
     groups: tuple[Category, ...]
     columns: tuple[Column, ...]
     categories: tuple[str, ...]
+    choices: tuple[str, ...]
     rooms: tuple[str, ...]
     sources: tuple[Source, ...]
-    version: Literal[1] = VERSION
+    version: Literal[2] = VERSION
 
 
 class _Version(Struct, frozen=True):
@@ -55,7 +60,9 @@ def save_knowledge(knowledge: Knowledge, path: Path) -> None:
     KnowledgeError if it cannot be written there.
     """
     parts = tuple(knowledge.categories.values())
-    rooms = tuple(dict.fromkeys(room for part in parts for room in part.rooms))
+    choices = tuple(knowledge.choices.values())
+    named = (*(part.rooms for part in parts), *(choice.rooms for choice in choices))
+    rooms = tuple(dict.fromkeys(chain.from_iterable(named)))
     index = {room: i for i, room in enumerate(rooms)}
     header = _Header(
         made_with=knowledge.made_with,
@@ -63,6 +70,7 @@ def save_knowledge(knowledge: Knowledge, path: Path) -> None:
         groups=knowledge.groups,
         columns=parts[0].columns,
         categories=tuple(knowledge.categories),
+        choices=tuple(knowledge.choices),
         rooms=rooms,
         sources=knowledge.sources,
     )
@@ -73,6 +81,13 @@ def save_knowledge(knowledge: Knowledge, path: Path) -> None:
         for name in ARRAYS:
             arrays[f"{number}.{name}"] = getattr(part, name)
         arrays[f"{number}.rooms"] = np.array([index[room] for room in part.rooms], dtype=np.int32)
+    if knowledge.shared is not None:
+        arrays["shared"] = knowledge.shared
+    for number, choice in enumerate(choices):
+        for name in TABLES:
+            arrays[f"choice.{number}.{name}"] = getattr(choice, name)
+        rooms_of = np.array([index[room] for room in choice.rooms], dtype=np.int32)
+        arrays[f"choice.{number}.rooms"] = rooms_of
     try:
         with path.open("wb") as file:
             np.savez_compressed(file, allow_pickle=False, **arrays)
@@ -107,6 +122,8 @@ def _read(file: IO[bytes], name: str) -> Knowledge:
         with archive:
             header = _header(archive["header"].tobytes(), name)
             parts = [_category(archive, header, i) for i in range(len(header.categories))]
+            choices = [_choice(archive, header, i) for i in range(len(header.choices))]
+            shared = archive["shared"] if header.choices else None
     except BROKEN as error:
         raise KnowledgeError(f"The knowledge file {name} is broken; {LEARN_AGAIN}.") from error
     return Knowledge(
@@ -115,6 +132,8 @@ def _read(file: IO[bytes], name: str) -> Knowledge:
         sources=header.sources,
         settings=header.settings,
         made_with=header.made_with,
+        choices=dict(zip(header.choices, choices, strict=True)),
+        shared=shared,
     )
 
 
@@ -159,4 +178,31 @@ def _category(archive: NpzFile, header: _Header, number: int) -> CategoryKnowled
         sizes=arrays["sizes"],
         bottoms=arrays["bottoms"],
         weights=arrays["weights"],
+    )
+
+
+def _choice(archive: NpzFile, header: _Header, number: int) -> Choice:
+    """What is chosen of one category; one of BROKEN if its arrays do not fit together."""
+    arrays = {name: archive[f"choice.{number}.{name}"] for name in (*TABLES, "rooms")}
+    named = choice_columns(header.groups)
+    pairs, examples = len(arrays["pairs"]), len(arrays["rooms"])
+    expected = {
+        "curves": (len(named), BINS),
+        "pairs": (pairs, 2),
+        "surfaces": (pairs, BINS, BINS),
+        "examples": (examples, len(named)),
+        "rooms": (examples,),
+    }
+    shapes = {name: array.shape for name, array in arrays.items()}
+    finite = np.isfinite(arrays["curves"]).all() and np.isfinite(arrays["surfaces"]).all()
+    within = (arrays["pairs"] < len(named)).all() and (arrays["examples"] < BINS).all()
+    if shapes != expected or not finite or not within:
+        raise ValueError(shapes)
+    return Choice(
+        columns=named,
+        curves=arrays["curves"],
+        pairs=arrays["pairs"],
+        surfaces=arrays["surfaces"],
+        examples=arrays["examples"],
+        rooms=tuple(header.rooms[i] for i in arrays["rooms"].tolist()),
     )

@@ -16,6 +16,7 @@ from scenegen_core.graph.relations import (
     SAME_DIRECTION,
     Column,
 )
+from scenegen_core.knowledge.choice import Choice, Table
 from scenegen_core.knowledge.density import Bandwidths, Density
 from scenegen_core.knowledge.sources import Source
 from scenegen_core.scene.geometry import Bools, Floats
@@ -24,6 +25,8 @@ from scenegen_core.scene.model import Category, Vector3
 POSITION = ("AD", "S", "RP")  # the paper's relations of position; Support is left out as there
 ORIENTATION = ("F", "TC", "RP")  # the paper's relations of orientation ("Knowledge Model")
 FIXED_BANDWIDTHS = {"AD": 0.1}  # metres; the paper's hand-tuned bandwidth of AverageDistance
+STANDING = 0.3  # metres; what has its underside below stands on the floor (feet, plinths)
+USUALLY = 0.3  # share of the examples from which on what stands speaks for the category
 MIN_EXAMPLES = 5  # fewer say more about themselves than about the category
 
 SETTINGS: Mapping[str, float] = {
@@ -76,9 +79,14 @@ class CategoryKnowledge:
 
     @property
     def usual_size(self) -> Vector3:
-        """Median depth, width, height, metres, of the half whose volumes are in the middle."""
-        by_volume = self.sizes[np.argsort(self.sizes.prod(axis=1))]
-        middle = by_volume[self.examples // 4 : self.examples - self.examples // 4]
+        """Median depth, width, height, metres, of the half whose volumes are in the middle.
+
+        Of what stands on the floor, where that is usual: upper cabinets are no usual storage.
+        """
+        standing = self.bottoms < STANDING
+        sizes = self.sizes[standing] if standing.mean() >= USUALLY else self.sizes
+        by_volume = sizes[np.argsort(sizes.prod(axis=1))]
+        middle = by_volume[len(sizes) // 4 : len(sizes) - len(sizes) // 4]
         depth, width, height = np.median(middle, axis=0).tolist()
         return depth, width, height
 
@@ -145,6 +153,10 @@ class Knowledge:
     settings: Mapping[str, float]
     made_with: str
     """The program that learned it."""
+    choices: Mapping[str, Choice] = field(default_factory=dict)
+    """What is chosen of a category, by name, of those with enough examples."""
+    shared: Table | None = None
+    """The curves that all categories have in common; None where no choices were learned."""
 
     def __getitem__(self, name: str) -> CategoryKnowledge:
         """The knowledge of a category; KnowledgeError if there is no example of it."""
@@ -155,3 +167,12 @@ class Knowledge:
                 f"There are no examples of {name}; choose one of {', '.join(self.categories)}, or "
                 "learn from rooms that have one."
             ) from None
+
+    def choice(self, name: str) -> Choice:
+        """What is chosen of a category; KnowledgeError if too few choices taught it."""
+        if name not in self.choices:
+            raise KnowledgeError(
+                f"There are too few examples of {self[name].category.name} that could stand where "
+                "they do; learn from more rooms that have one, or ask the model paper."
+            )
+        return self.choices[name]

@@ -6,7 +6,7 @@ from collections import defaultdict
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from functools import partial
 from itertools import islice
-from typing import NamedTuple
+from typing import NamedTuple, Protocol, TypeVar
 
 import numpy as np
 
@@ -33,10 +33,17 @@ class Example(NamedTuple):
 
 
 Batch = Sequence[Scene]
-Mapper = Callable[
-    [Callable[[Batch], tuple[Example, ...]], Iterator[Batch]], Iterator[tuple[Example, ...]]
-]
-"""Like the built-in map: in order, wherever the work is done."""
+Found = TypeVar("Found")
+
+
+class Mapper(Protocol):
+    """Like the built-in map: in order, wherever the work is done."""
+
+    def __call__(
+        self, work: Callable[[Batch], Found], batches: Iterator[Batch], /
+    ) -> Iterator[Found]:
+        """What the work finds in each batch."""
+        ...
 
 
 def learn(
@@ -55,9 +62,8 @@ def learn(
     elsewhere; the knowledge is the same to the bit. ``progress`` is told how many rooms are done.
     """
     examples: defaultdict[str, list[Example]] = defaultdict(list)
-    batches = _batches(scenes)
     done = 0
-    for measured in mapper(partial(examples_of, groups=groups), batches):
+    for measured in mapper(partial(examples_of, groups=groups), batches(scenes)):
         for example in measured:
             examples[example.box.category].append(example)
         done = min(done + BATCH, len(scenes))
@@ -92,7 +98,8 @@ def examples_of(scenes: Batch, groups: tuple[Category, ...]) -> tuple[Example, .
     )
 
 
-def _batches(scenes: Sequence[Scene]) -> Iterator[Batch]:
+def batches(scenes: Sequence[Scene]) -> Iterator[Batch]:
+    """The scenes in portions that are worth sending elsewhere."""
     rest = iter(scenes)
     while batch := tuple(islice(rest, BATCH)):
         yield batch

@@ -81,7 +81,7 @@ def _of_category(part: CategoryKnowledge) -> CategoryMarginals:
 
 def _column(part: CategoryKnowledge, relation: str, group: str = "") -> Floats:
     """The values of a column: (n,)."""
-    names = [(column.relation, column.group) for column in part.columns]
+    names = [(column.relation, column.about) for column in part.columns]
     values: Floats = part.rows[:, names.index((relation, group))]
     return values
 
@@ -91,9 +91,9 @@ def _by_group(part: CategoryKnowledge, relation: str, which: Bools) -> tuple[Bar
     bars = []
     for column in part.columns:
         if column.relation == relation:
-            members = _column(part, relation, column.group)[which]
-            there = _column(part, "AD", column.group)[which] != ABSENT
-            bars.append(_bar(column.group, members > 0, members >= SEVERAL, there))
+            members = _column(part, relation, column.about)[which]
+            there = _column(part, "AD", column.about)[which] != ABSENT
+            bars.append(_bar(column.about, members > 0, members >= SEVERAL, there))
     return tuple(bars)
 
 

@@ -132,8 +132,8 @@ def test_a_file_whose_bytes_were_changed_is_broken(path: Path) -> None:
 
 
 def test_another_version_is_named(path: Path) -> None:
-    change_header(path, version=2)
-    with pytest.raises(KnowledgeError, match="version 2; this program reads version 1"):
+    change_header(path, version=1)
+    with pytest.raises(KnowledgeError, match="version 1; this program reads version 2"):
         load_knowledge(path)
 
 

@@ -13,7 +13,7 @@ from scenegen_core.errors import DataError, KnowledgeError
 from scenegen_core.graph.relations import RELATIONS, columns
 from scenegen_core.knowledge.files import default_knowledge, save_knowledge
 from scenegen_core.knowledge.knowledge import CategoryKnowledge, Knowledge
-from scenegen_core.knowledge.learning import Batch, Example, learn
+from scenegen_core.knowledge.learning import Batch, Found, learn
 from scenegen_core.scene.model import (
     PAPER_CATEGORIES,
     Box,
@@ -185,8 +185,8 @@ def test_the_knowledge_is_the_same_to_the_bit_in_whatever_order_batches_are_meas
     tmp_path: Path,
 ) -> None:
     def backwards(
-        work: Callable[[Batch], tuple[Example, ...]], batches: Iterator[Batch]
-    ) -> Iterator[tuple[Example, ...]]:
+        work: Callable[[Batch], Found], batches: Iterator[Batch], /
+    ) -> Iterator[Found]:
         measured = [work(batch) for batch in reversed(list(batches))]
         yield from reversed(measured)
 

@@ -1,0 +1,168 @@
+"""The model of choices: how much likelier people choose a pose than another one of the same room.
+
+A conditional (McFadden) choice among the possible poses of a room, log P = score − log Σ exp score,
+whose score is a sum of named curves of one column each and of a few surfaces of two. Columns are
+cut into bins by fixed edges, so that a model is plain tables: ``curves[column, bin]`` and
+``surfaces[pair, bin, bin]``. The last bin of a column is for what is not there (NaN).
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import lru_cache
+
+import numpy as np
+from numba import njit
+from numpy.typing import NDArray
+
+from scenegen_core.graph.own_relations import OWN_RELATIONS
+from scenegen_core.graph.relations import Column, columns
+from scenegen_core.scene.geometry import Floats, Ints
+from scenegen_core.scene.model import Category
+
+Bins = NDArray[np.uint8]
+Table = NDArray[np.float32]
+
+BINS = 36  # of a column, the last for what is not there
+MISSING = BINS - 1
+HAIR = 1e-6  # of any unit; poses on grids lie on round numbers, where rounding must not decide
+
+LENGTHS = (
+    -3, -2, -1.5, -1, -0.6, -0.3, -0.2, -0.1, -0.05, 0.0, 0.03, 0.06, 0.1, 0.15, 0.2, 0.25, 0.3,
+    0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 1, 1.2, 1.4, 1.6, 1.8, 2, 2.4, 2.8, 3.2, 3.6,
+)  # fmt: skip
+"""Metres: fine where furniture touches."""
+ANGLES = tuple(np.deg2rad(np.arange(4, 180, 7.5)).tolist())
+"""Radians: the headings tried are 22.5° apart, so three bins a heading."""
+COUNTS = (0.5, 1.5, 2.5, 3.5, 4.5, 6.5, 8.5)
+FLAG = (0.5,)
+SHARES = (
+    0.01, 0.03, 0.06, 0.1, 0.15, 0.2, 0.25, 0.3, 0.35, 0.4, 0.45, 0.5, 0.55, 0.6, 0.65, 0.7, 0.75,
+    0.8, 0.85, 0.9, 0.95, 1.0,
+)  # fmt: skip
+HEIGHTS = (
+    0.05, 0.2, 0.35, 0.5, 0.65, 0.75, 0.85, 0.95, 1.05, 1.15, 1.25, 1.35, 1.45, 1.55, 1.65, 1.75,
+    1.85, 1.95, 2.1, 2.3,
+)  # fmt: skip
+SIZES = (
+    0.05, 0.1, 0.15, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 1, 1.2, 1.4, 1.6, 1.8, 2, 2.3, 2.7,
+)  # fmt: skip
+AREAS = (4, 6, 8, 10, 12, 14, 16, 18, 20, 24, 28, 32, 40, 50, 70)
+
+_BY_PART = {
+    "turn": ANGLES, "bearing": ANGLES, "near": COUNTS, "flush": COUNTS, "touching": COUNTS,
+    "within a metre": COUNTS, "on": FLAG, "faced": FLAG, "centered": SHARES, "depth": SIZES,
+    "width": SIZES, "height": SIZES, "room": AREAS,
+}  # fmt: skip
+_BY_RELATION = {"H": HEIGHTS}
+
+
+def edges_of(column: Column) -> tuple[float, ...]:
+    """Where the bins of a column meet."""
+    if (column.relation, column.part) == ("M", "distance"):
+        return SHARES
+    return _BY_RELATION.get(column.relation) or _BY_PART.get(column.part, LENGTHS)
+
+
+@lru_cache(maxsize=8)
+def choice_columns(groups: tuple[Category, ...]) -> tuple[Column, ...]:
+    """The columns of the model, in their order."""
+    return columns(OWN_RELATIONS, groups)
+
+
+@lru_cache(maxsize=8)
+def _edges(named: tuple[Column, ...]) -> Floats:
+    """The edges of every column, filled up with infinity: (columns, BINS − 2)."""
+    table = np.full((len(named), BINS - 2), np.inf)
+    for row, column in zip(table, named, strict=True):
+        edges = edges_of(column)
+        row[: len(edges)] = np.array(edges) - HAIR
+    return table
+
+
+def binned(features: Floats, named: tuple[Column, ...]) -> Bins:
+    """The bin of every value: (poses, columns)."""
+    out = np.empty(features.shape, dtype=np.uint8)
+    _cut(features, _edges(named), out)
+    return out
+
+
+@njit(cache=True, nogil=True)
+def _cut(features: Floats, edges: Floats, out: Bins) -> None:
+    poses, width = features.shape
+    for n in range(poses):
+        for c in range(width):
+            value = features[n, c]
+            if np.isnan(value):
+                out[n, c] = MISSING
+                continue
+            low, high = 0, edges.shape[1]
+            while low < high:
+                middle = (low + high) // 2
+                if value >= edges[c, middle]:
+                    low = middle + 1
+                else:
+                    high = middle
+            out[n, c] = low
+
+
+@njit(cache=True, nogil=True)
+def _sum(bins: Bins, curves: Table, pairs: Ints, surfaces: Table, out: Floats) -> None:
+    poses, width = bins.shape
+    for n in range(poses):
+        total = 0.0
+        for c in range(width):
+            total += curves[c, bins[n, c]]
+        for k in range(len(pairs)):
+            total += surfaces[k, bins[n, pairs[k, 0]], bins[n, pairs[k, 1]]]
+        out[n] = total
+
+
+@dataclass(frozen=True, eq=False)
+class Choice:
+    """What is chosen of one category, as tables, with the examples that taught it."""
+
+    columns: tuple[Column, ...]
+    curves: Table
+    """What each bin of each column adds, nats: (columns, BINS)."""
+    pairs: Ints
+    """Which two columns each surface is of: (surfaces, 2)."""
+    surfaces: Table
+    """What each pair of bins adds, nats: (surfaces, BINS, BINS)."""
+    examples: Bins
+    """The chosen poses that taught it: (examples, columns)."""
+    rooms: tuple[str, ...]
+    """The room of each example."""
+
+    def score(self, features: Floats) -> Floats:
+        """The log of how much likelier each pose is chosen, up to a constant of the room: (n,)."""
+        return self.score_bins(binned(features, self.columns))
+
+    def score_bins(self, bins: Bins) -> Floats:
+        """The same of columns that are cut already."""
+        out = np.empty(len(bins))
+        _sum(bins, self.curves, self.pairs, self.surfaces, out)
+        return out
+
+    def terms(self, features: Floats) -> Floats:
+        """What every curve, then every surface adds; the sum is the score: (n, curves + pairs)."""
+        return self.terms_of_bins(binned(features, self.columns))
+
+    def terms_of_bins(self, bins: Bins) -> Floats:
+        """The same of columns that are cut already."""
+        curves = self.curves[np.arange(len(self.columns)), bins]
+        one, two = bins[:, self.pairs[:, 0]], bins[:, self.pairs[:, 1]]
+        surfaces = self.surfaces[np.arange(len(self.pairs)), one, two]
+        return np.concatenate([curves, surfaces], axis=1).astype(np.float64)
+
+
+def without_examples(named: tuple[Column, ...], curves: Table) -> Choice:
+    """Curves alone, as what all categories share."""
+    return Choice(
+        columns=named,
+        curves=curves,
+        pairs=np.empty((0, 2), dtype=np.int64),
+        surfaces=np.empty((0, BINS, BINS), dtype=np.float32),
+        examples=np.empty((0, len(named)), dtype=np.uint8),
+        rooms=(),
+    )
