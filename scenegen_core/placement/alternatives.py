@@ -1,20 +1,29 @@
-"""Alternatives: poses to offer that differ, best first, none of which closes a way."""
+"""Alternatives: poses to offer that differ, none of which closes a way.
+
+A model of densities offers its best pose, then the next best that lie apart. A model of
+probabilities offers the pose from which the truth is least far on average, then each time the one
+that brings the nearest offer closest to it: so several offers cover several places, not one.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from dataclasses import dataclass
+from typing import Protocol
 
 import numpy as np
 
-from scenegen_core.graph.candidates import Candidates
 from scenegen_core.placement.proposals import Proposals
 from scenegen_core.placement.walking import Walking
-from scenegen_core.scene.geometry import Floats, Ints
+from scenegen_core.scene.geometry import Bools, Floats, Ints
 
 APART = 0.75  # metres between two alternatives
 TRIES = 300  # poses whose ways are checked before giving up
 TIE = 1e-9  # nats; scores this near to each other are equal
+LIKELIEST = 300  # cells that expected distances are all taken over
+THINNED = 300  # of the other cells, so many stand for all
+LIKELY = 2.0  # nats below the best pose; no less likely may the first offer be
+WORTH_OFFERING = 4.0  # nats below the best pose; what is less likely comes last
 
 BLOCKED_ID = "new"
 
@@ -27,6 +36,16 @@ class Choice:
     closed: str | None
 
 
+class Offers(Protocol):
+    """Poses in the order they should be offered in, as some of them turn out to be taken."""
+
+    def next(self) -> int | None:
+        """The next pose to try; None if there is none left."""
+
+    def take(self, pose: int) -> None:
+        """The pose is on offer: those to come must differ from it."""
+
+
 def choose(
     proposals: Proposals,
     scores: Floats,
@@ -35,38 +54,92 @@ def choose(
     count: int,
     rng: np.random.Generator,
     keep_going: Callable[[], None],
+    expects: bool = False,
 ) -> Choice:
     """Up to ``count`` poses at least APART; ties by ``rng``. ``scores`` (n,) of all proposals.
 
-    ``keep_going`` is called now and then and raises to abandon the work.
+    ``expects`` where scores are log-probabilities. ``keep_going`` is called now and then and raises
+    to abandon the work.
     """
-    candidates = proposals.candidates
+    jittered = scores + rng.random(len(scores)) * TIE
+    offers: Offers = (_Expected if expects else _Ranked)(proposals, jittered)
     chosen: list[int] = []
     closed: str | None = None
-    for tried, pose in enumerate(_best_of_places(proposals, scores, rng)):
-        if len(chosen) == count or tried >= TRIES + count:
+    for _ in range(TRIES + count):
+        pose = offers.next() if len(chosen) < count else None
+        if pose is None:
             break
-        if _near_any(candidates, pose, chosen):
-            continue
         keep_going()
-        blocked = walking.blocked_by(candidates.box(pose, BLOCKED_ID))
+        blocked = walking.blocked_by(proposals.candidates.box(pose, BLOCKED_ID))
         if blocked is None:
             chosen.append(pose)
+            offers.take(pose)
         elif closed is None:
             closed = blocked
     return Choice(np.array(chosen, dtype=np.int64), closed)
 
 
-def _best_of_places(
-    proposals: Proposals, scores: Floats, rng: np.random.Generator
-) -> Iterator[int]:
+class _Ranked:
     """The best pose of each cell, the best cell first."""
-    jittered = scores + rng.random(len(scores)) * TIE
-    ranked = np.argsort(-jittered, kind="stable")
+
+    def __init__(self, proposals: Proposals, scores: Floats) -> None:
+        self._points = proposals.candidates.centers[:, :2]
+        self._poses = iter(best_of_places(proposals, scores).tolist())
+        self._taken: list[int] = []
+
+    def next(self) -> int | None:
+        """The next best that lies apart from those taken."""
+        return next((pose for pose in self._poses if self._differs(pose)), None)
+
+    def take(self, pose: int) -> None:
+        """Keep away from it."""
+        self._taken.append(pose)
+
+    def _differs(self, pose: int) -> bool:
+        offset = self._points[self._taken] - self._points[pose]
+        return bool((np.hypot(offset[:, 0], offset[:, 1]) >= APART).all())
+
+
+class _Expected:
+    """The pose that leaves the truth least far from the nearest offer, on average."""
+
+    def __init__(self, proposals: Proposals, scores: Floats) -> None:
+        best = best_of_places(proposals, scores)
+        _, place = np.unique(proposals.places, return_inverse=True)
+        mass = np.bincount(place, np.exp(scores - scores.max(initial=0.0)))
+        best = best[np.argsort(-mass[place[best]], kind="stable")]
+        step = max(1, -(-(len(best) - LIKELIEST) // THINNED))
+        self._poses = np.concatenate([best[:LIKELIEST], best[LIKELIEST::step]])
+        self._mass = mass[place[self._poses]]
+        self._mass[LIKELIEST:] *= step
+        points = proposals.candidates.centers[self._poses, :2]
+        self._away = np.hypot(*(points[:, None] - points[None]).transpose(2, 0, 1))
+        self._below = scores[best[:1]].max(initial=-np.inf) - scores[self._poses]
+        self._left: Bools = np.ones(len(self._poses), dtype=np.bool_)
+        self._nearest: Floats = np.full(len(self._poses), np.inf)
+
+    def next(self) -> int | None:
+        """The place that helps most, of the likely ones while there are any."""
+        first = np.isinf(self._nearest).all()
+        for limit in (LIKELY if first else WORTH_OFFERING, np.inf):
+            open_ = np.flatnonzero(self._left & (self._below <= limit))
+            if len(open_):
+                risk = np.minimum(self._away[open_], self._nearest) @ self._mass
+                found = int(open_[risk.argmin()])
+                self._left[found] = False
+                return int(self._poses[found])
+        return None
+
+    def take(self, pose: int) -> None:
+        """What lies near it is served now."""
+        away = self._away[np.flatnonzero(self._poses == pose)[0]]
+        self._nearest = np.minimum(self._nearest, away)
+        self._left &= away >= APART
+
+
+def best_of_places(proposals: Proposals, scores: Floats) -> Ints:
+    """The best possible pose of each cell, the best cell first."""
+    ranked = np.argsort(-scores, kind="stable")
+    ranked = ranked[np.isfinite(scores[ranked])]
     _, first = np.unique(proposals.places[ranked], return_index=True)
-    yield from (int(pose) for pose in ranked[np.sort(first)] if np.isfinite(scores[pose]))
-
-
-def _near_any(candidates: Candidates, pose: int, chosen: list[int]) -> bool:
-    offset = candidates.centers[chosen] - candidates.centers[pose]
-    return bool((np.hypot(offset[:, 0], offset[:, 1]) < APART).any())
+    return np.asarray(ranked[np.sort(first)], dtype=np.int64)

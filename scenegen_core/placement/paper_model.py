@@ -6,6 +6,7 @@ program sampled headings at the best position only, to save time (docs/decisions
 
 from __future__ import annotations
 
+from collections import defaultdict
 from collections.abc import Sequence
 from dataclasses import dataclass
 
@@ -15,8 +16,12 @@ from scenegen_core.graph.relations import BY_SHORT, Column, measure
 from scenegen_core.graph.situation import Situation
 from scenegen_core.knowledge.density import Terms
 from scenegen_core.knowledge.knowledge import ORIENTATION, POSITION, Knowledge, Prior
+from scenegen_core.placement.parts import Parts, Subject
 from scenegen_core.scene.geometry import Floats
 from scenegen_core.scene.model import Symmetry
+
+AGREEMENT = "Agreement"
+"""What is left of a density after its columns: how many known rooms share the word."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -47,6 +52,8 @@ class Share:
 class PaperModel:
     """The densities of one category, ready to score poses."""
 
+    expects = False
+
     def __init__(
         self,
         knowledge: Knowledge,
@@ -68,6 +75,35 @@ class PaperModel:
         return Scores(
             position, self._orientation.density.log_density(_features(self._orientation, situation))
         )
+
+    def total(self, situation: Situation) -> Floats:
+        """The log of P(d_p) · P(d_o) of all poses: (n,)."""
+        return self.score(situation).total
+
+    def parts(self, situation: Situation) -> Parts:
+        """The columns of both densities by subject, and how much the examples agree."""
+        values: defaultdict[Subject, Floats] = defaultdict(
+            lambda: np.zeros(len(situation.candidates))
+        )
+        measured: dict[Subject, dict[str, float]] = {(AGREEMENT, ""): {}}
+        for share in self.shares(situation):
+            for i, column in enumerate(share.columns):
+                subject = (column.relation, column.about)
+                values[subject] = values[subject] + share.terms.columns[:, i]
+                measured[subject] = {"": float(share.values[0, i])}
+            values[AGREEMENT, ""] = values[AGREEMENT, ""] + share.terms.agreement
+        subjects = tuple(values)
+        return Parts(
+            subjects, np.stack(list(values.values()), axis=1), tuple(measured[s] for s in subjects)
+        )
+
+    def rooms(self, situation: Situation) -> tuple[str, ...]:
+        """The rooms whose examples carry most of the density of the position."""
+        share = self.shares(situation)[0]
+        by_room: defaultdict[str, float] = defaultdict(float)
+        for room, weight in zip(share.rooms, share.terms.responsibilities[0], strict=True):
+            by_room[room] += float(weight)
+        return tuple(sorted(by_room, key=lambda room: -by_room[room]))
 
     def shares(self, situation: Situation) -> tuple[Share, ...]:
         """The split of the scores of a few poses, one a prior; their sums are the totals."""

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
 from scenegen_core.graph.relations import ABSENT, NEAR_WALL, NEARBY
 from scenegen_core.graph.wording import about_group, about_room, noun, nouns, spoken
+from scenegen_core.placement.own_reasons import TEXTS, neighbor
+from scenegen_core.placement.paper_model import AGREEMENT
 from scenegen_core.scene.model import Box
 
 TOLD = {"AD": "AverageDistance", "SP": "Support", "F": "Facing", "NT": "NextTo"}
@@ -19,11 +21,24 @@ NONE = {
 """What they say of a group where they count nothing."""
 
 
-def reason_text(relation: str, group: str, value: float, members: Sequence[Box]) -> str:
-    """What the column of a relation says of a group with ``members``, or of a part.
+def reason_text(
+    relation: str, group: str, measured: Mapping[str, float], members: Sequence[Box]
+) -> str:
+    """What a relation says of a group with ``members``, or of a part; ``measured`` by its parts.
 
     A group's only member goes by its own label, if it has one.
     """
+    if relation == AGREEMENT:
+        return "how many known rooms agree"
+    if relation in TEXTS:
+        return TEXTS[relation](measured)
+    if relation == "N":
+        return neighbor(group, measured, members)
+    return _paper_text(relation, group, measured[""], members)
+
+
+def _paper_text(relation: str, group: str, value: float, members: Sequence[Box]) -> str:
+    """What one column of the paper's relations says."""
     count = round(value)
     if relation == "AD" and value >= ABSENT:
         return f"no {noun(group)} in the room"

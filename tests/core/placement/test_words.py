@@ -208,7 +208,7 @@ STOOL = thing("Chair", 0, 0, CHAIR)
 def test_a_reason_says_what_its_number_means(
     relation: str, group: str, value: float, members: list[Box], text: str
 ) -> None:
-    assert reason_text(relation, group, value, members) == text
+    assert reason_text(relation, group, {"": value}, members) == text
 
 
 def test_sentences_do_not_depend_on_where_the_scene_lies() -> None:
