@@ -53,7 +53,7 @@ def box(box_id: str, center: list[float], **changes: Any) -> dict[str, Any]:
 def test_it_prints_the_agreed_json(capsys: pytest.CaptureFixture[str]) -> None:
     found = answered(capsys, LIVING_ROOM, "--add", "table:0.5,0.9,0.7", "--count", "3")
     assert found.keys() >= {"room_id", "model", "answers", "elapsed_ms"}
-    assert (found["room_id"], found["model"]) == ("drawn", "paper")
+    assert (found["room_id"], found["model"]) == ("drawn", "scenegen")
     assert found["elapsed_ms"] > 0
     (answer,) = found["answers"]
     assert answer.keys() >= {"category", "size", "placements", "heat_map", "no_good_place"}
