@@ -11,8 +11,12 @@ from numpy.typing import NDArray
 from scenegen_core.scene.model import Point, Vector3
 
 Surface = Literal["floor", "walls", "tops"]
-Model = Literal["paper"]
-MODELS: tuple[Model, ...] = ("paper",)
+Model = Literal["scenegen", "paper"]
+MODELS: tuple[Model, ...] = ("scenegen", "paper")
+"""The default first."""
+Comfort = Literal["window", "path"]
+COMFORTS: tuple[Comfort, ...] = ("window", "path")
+"""The rules that somebody may choose to live without."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -24,9 +28,11 @@ class Query:
     """Depth, width, height, metres; None for the usual size."""
     count: int = 5
     """How many placements to offer."""
-    model: Model = "paper"
+    model: Model = MODELS[0]
     seed: int = 0
     """Decides between poses of exactly the same score."""
+    relaxed: tuple[Comfort, ...] = ()
+    """Rules that do not count this time."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -52,6 +58,8 @@ class Pose:
     """Log-likelihood above the average possible pose of this room (nats)."""
     likelihood: float
     """0 to 1, on the scale of the heat map."""
+    name: str
+    """A few words that tell it from the others on offer."""
     sentence: str
     reasons: tuple[Reason, ...]
     rooms: tuple[str, ...]
@@ -79,6 +87,21 @@ class HeatMap:
 
 
 @dataclass(frozen=True, slots=True)
+class Remedy:
+    """The nearest thing that gives a place: a smaller size, one box less, or one rule less."""
+
+    kind: Literal["size", "box", "rule"]
+    text: str
+    center: Vector3
+    """Where the object would then go."""
+    heading: float
+    size: Vector3 | None = None
+    box: str | None = None
+    """The id of the box to take away."""
+    rule: Comfort | None = None
+
+
+@dataclass(frozen=True, slots=True)
 class NoGoodPlace:
     """Why there is no place: the rule that forbids most of what fits, and a sentence on it."""
 
@@ -98,6 +121,32 @@ class Answer:
 
 
 @dataclass(frozen=True, slots=True)
+class Elsewhere:
+    """Another pose, and how to get there."""
+
+    center: Vector3
+    heading: float
+    distance: float
+    """From the pose that was looked at, metres."""
+    text: str
+    """The way in words: "30 cm further from the door"."""
+    sentence: str
+    """How it stands there."""
+
+
+@dataclass(frozen=True, slots=True)
+class Cost:
+    """What a pose loses to the best one on offer through one relation to a group."""
+
+    relation: str
+    group: str
+    difference: float
+    """Nats, negative."""
+    here: str
+    best: str
+
+
+@dataclass(frozen=True, slots=True)
 class Inspection:
     """What the model says of one pose; ``rule`` is empty where the pose is possible."""
 
@@ -107,6 +156,27 @@ class Inspection:
     likelihood: float | None
     sentence: str
     reasons: tuple[Reason, ...]
+    costs: tuple[Cost, ...] = ()
+    """What costs most, the dearest first."""
+    elsewhere: Elsewhere | None = None
+    """Where it would be possible, or better; None if nowhere."""
+
+
+@dataclass(frozen=True, slots=True)
+class Counterfactual:
+    """The box whose removal changes the answer most, and the answer without it."""
+
+    box: str
+    center: Vector3 | None
+    """Where the object would go without the box; None if nowhere."""
+    heading: float | None
+    text: str
+    moved: float = 0.0
+    """Metres between the best poses with and without it."""
+    turned: float = 0.0
+    """Radians between them, 0 to π."""
+    score_change: float = 0.0
+    """Nats of the best pose above the average one, without the box less with it."""
 
 
 class Cancelled(Exception):  # noqa: N818 (not an error: somebody asked for something newer)

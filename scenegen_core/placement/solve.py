@@ -13,7 +13,7 @@ from scenegen_core.graph.situation import Situation
 from scenegen_core.graph.surroundings import Surroundings
 from scenegen_core.graph.wording import noun
 from scenegen_core.knowledge.knowledge import CategoryKnowledge, Knowledge
-from scenegen_core.placement.alternatives import BLOCKED_ID, Choice, choose
+from scenegen_core.placement.alternatives import Choice, choose
 from scenegen_core.placement.answer import (
     Answer,
     Cancelled,
@@ -25,9 +25,11 @@ from scenegen_core.placement.answer import (
 from scenegen_core.placement.explain import Explainer
 from scenegen_core.placement.feasible import ALLOWED, RULES, Space, verdicts
 from scenegen_core.placement.heat_map import heat_maps, likelihood, scale
-from scenegen_core.placement.paper_model import PaperModel
+from scenegen_core.placement.inspecting import Inspector
+from scenegen_core.placement.models import MODELS, PlacementModel
+from scenegen_core.placement.names import names
 from scenegen_core.placement.proposals import Proposals, propose
-from scenegen_core.placement.refusals import no_good_place, refusal
+from scenegen_core.placement.refusals import no_good_place
 from scenegen_core.placement.walking import Walking
 from scenegen_core.placement.words import sentence
 from scenegen_core.scene.geometry import Floats, Ints, wrapped
@@ -41,30 +43,12 @@ class Solution:
     """An answer with all that is needed to say more about single poses."""
 
     answer: Answer
-    _around: Surroundings
-    _space: Space
-    _walking: Walking
-    _model: PaperModel
-    _explainer: Explainer | None
-    _bounds: tuple[float, float]
-    _learnt: CategoryKnowledge
+    _inspector: Inspector
 
     def inspect(self, center: Vector3, heading: float) -> Inspection:
         """What the model says of one pose, or which rule forbids it."""
-        pose = _single(self.answer.category, self.answer.size, center, heading)
-        situation = Situation(pose, self._around)
-        verdict = int(verdicts(situation, self._space)[0])
-        closed = self._walking.blocked_by(pose.box(0, BLOCKED_ID)) if verdict == ALLOWED else None
-        if verdict != ALLOWED or closed is not None:
-            rule = RULES[verdict] if closed is None else "path"
-            text = refusal(rule, situation, closed)
-            return Inspection(False, rule, None, None, text, ())
-        text = sentence(situation, self._learnt.category)
-        if self._explainer is None:
-            return Inspection(True, "", None, None, text, ())
-        why = self._explainer.explain(pose)
-        shown = float(likelihood(np.array([why.score]), self._bounds)[0])
-        return Inspection(True, "", why.score, shown, text, why.reasons)
+        pose = (np.array([center], dtype=float), np.array([heading], dtype=float))
+        return self._inspector.inspect(Candidates(self.answer.category, self.answer.size, *pose))
 
 
 def solve(
@@ -86,9 +70,10 @@ def solve(
 
     learnt = knowledge[query.category]
     size = _size(query, learnt)
-    model = PaperModel(knowledge, query.category)
+    model = MODELS[query.model](knowledge, query.category)
     around = Surroundings(scene, knowledge.groups)
-    space, walking = Space.of(around), Walking(around)
+    space = Space.of(around, query.relaxed)
+    walking = Walking(around, counts="path" not in query.relaxed)
     proposals = propose(around, learnt.category, size)
     keep_going()
     situation = Situation(proposals.candidates, around)
@@ -101,7 +86,15 @@ def solve(
     scores -= explainer.baseline if explainer else 0.0
     bounds = scale(scores[possible])
     rng = np.random.default_rng(query.seed)
-    choice = choose(proposals, scores, walking, count=query.count, rng=rng, keep_going=keep_going)
+    choice = choose(
+        proposals,
+        scores,
+        walking,
+        count=query.count,
+        rng=rng,
+        keep_going=keep_going,
+        expects=model.expects,
+    )
     answer = Answer(
         category=query.category,
         size=size,
@@ -109,7 +102,17 @@ def solve(
         heat_maps=heat_maps(proposals, scores, bounds),
         no_good_place=_no_good_place(verdict, choice, query, size),
     )
-    return Solution(answer, around, space, walking, model, explainer, bounds, learnt)
+    inspector = Inspector(
+        category=learnt.category,
+        space=space,
+        walking=walking,
+        possible=proposals.candidates[possible],
+        scores=scores[possible],
+        bounds=bounds,
+        explainer=explainer,
+        best=next(iter(answer.poses), None),
+    )
+    return Solution(answer, inspector)
 
 
 def _size(query: Query, learnt: CategoryKnowledge) -> Vector3:
@@ -123,12 +126,12 @@ def _size(query: Query, learnt: CategoryKnowledge) -> Vector3:
 
 
 def _scores(
-    model: PaperModel, proposals: Proposals, possible: Ints, around: Surroundings
+    model: PlacementModel, proposals: Proposals, possible: Ints, around: Surroundings
 ) -> Floats:
     """The log scores of all proposals, −inf where nobody can stand: (n,)."""
     scores = np.full(len(proposals.candidates), -np.inf)
     if len(possible):
-        scores[possible] = model.score(Situation(proposals.candidates[possible], around)).total
+        scores[possible] = model.total(Situation(proposals.candidates[possible], around))
     return scores
 
 
@@ -145,7 +148,9 @@ def _poses(
         return ()
     poses = []
     shown = likelihood(scores[choice.poses], bounds)
-    for rank, (index, value) in enumerate(zip(choice.poses, shown, strict=True), start=1):
+    called = names(Situation(proposals.candidates[choice.poses], around), learnt.category)
+    found = zip(choice.poses, shown, called, strict=True)
+    for rank, (index, value, name) in enumerate(found, start=1):
         single = proposals.candidates[index : index + 1]
         why = explainer.explain(single)
         x, y, z = single.centers[0].tolist()
@@ -156,6 +161,7 @@ def _poses(
                 heading=round(float(wrapped(single.headings)[0]), 9),  # without rounding dust
                 score=why.score,
                 likelihood=float(value),
+                name=name,
                 sentence=sentence(Situation(single, around), learnt.category),
                 reasons=why.reasons,
                 rooms=why.rooms,
@@ -172,7 +178,3 @@ def _no_good_place(
     counts = {rule: int(np.count_nonzero(verdict == index)) for index, rule in enumerate(RULES)}
     counts["path"] = int(np.count_nonzero(verdict == ALLOWED))
     return no_good_place(query.category, size, counts, choice.closed)
-
-
-def _single(category: str, size: Vector3, center: Vector3, heading: float) -> Candidates:
-    return Candidates(category, size, np.array([center], dtype=float), np.array([heading]))

@@ -47,8 +47,10 @@ class Target:
 class Walking:
     """The walkable floor of a scene, cells of ``CELL`` metres."""
 
-    def __init__(self, around: Surroundings) -> None:
+    def __init__(self, around: Surroundings, *, counts: bool = True) -> None:
+        """Prepare the floor; where ways do not count, nothing blocks them."""
         self.around = around
+        self._counts = counts
         walls = around.walls
         self._origin: Floats = walls[:, 0].min(axis=0)
         self._points = floor_points(around)
@@ -85,7 +87,7 @@ class Walking:
 
     def blocked_by(self, box: Box) -> str | None:
         """What could no longer be reached with the box there; None if all still can."""
-        if not _is_obstacle(box):
+        if not self._counts or not _is_obstacle(box):
             return None
         shape = footprints([box])
         after = self._reached(self._free & ~self._near(shape, WALKER / 2 - CELL / 2))
