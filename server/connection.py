@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import asyncio
 import logging
 from collections.abc import Callable
 from functools import partial
@@ -14,6 +15,7 @@ from server.effects import (
     Deed,
     DrawGraph,
     Examine,
+    FindRemedy,
     Furnish,
     Push,
     Save,
@@ -21,17 +23,20 @@ from server.effects import (
     SendAnswer,
     Solve,
     StopSolving,
+    StopWeighing,
+    Weigh,
+    Work,
 )
 from server.engine import Cancel, Engine
 from server.incoming import Incoming
 from server.outbox import Frame, Outbox
-from server.protocol import AssetHeader, Hello, Problem
+from server.protocol import AssetHeader, Hello, Problem, ServerMessage
 from server.results import Step as ResultStep
-from server.results import examined, furnished, graphed, solved
+from server.results import examined, furnished, graphed, remedied, solved, weighed
 from server.session import Session, Step, greet, handle
 from server.store import Store, Stored
 from server.wire import Binary, Close, encode, frame
-from server.work import draw_graph, examine, make_models, solve_ask
+from server.work import draw_graph, examine, make_models, seek_remedy, solve_ask, weigh
 from server.world import World
 
 T = TypeVar("T")
@@ -48,6 +53,7 @@ class Connection:
         self._world = world
         self._store = store
         self._engine = engine
+        self._loop = asyncio.get_running_loop()
         self._session = Session(id="")
 
     async def write(self) -> None:
@@ -87,28 +93,41 @@ class Connection:
             self._begin(deed)
 
     def _begin(self, deed: Deed) -> None:
-        world = self._world
         match deed:
             case Send():
                 self._outbox.put(deed.message)
             case SendAnswer():
                 self._outbox.put(*deed.maps, deed.answer)
             case Push():
-                glb = world.assets.get(deed.digest)
+                glb = self._world.assets.get(deed.digest)
                 if glb is not None:
                     self._outbox.put(Binary(AssetHeader(digest=deed.digest), glb))
-            case Furnish():
-                self._submit("furnish", partial(make_models, world, deed), furnished)
-            case Solve():
-                self._submit("solve", partial(solve_ask, world, deed), solved)
             case StopSolving():
                 self._engine.abandon(self._session.id, "solve")
-            case Examine():
-                self._submit("examine", partial(examine, deed), examined)
-            case DrawGraph():
-                self._submit("graph", partial(draw_graph, world, deed), graphed)
+                self._engine.abandon(self._session.id, "remedy")
+            case StopWeighing():
+                self._engine.abandon(self._session.id, "weigh")
             case _:
-                assert_never(deed)
+                self._work(deed)
+
+    def _work(self, wish: Work) -> None:
+        world = self._world
+        match wish:
+            case Furnish():
+                self._submit("furnish", partial(make_models, world, wish), furnished)
+            case Solve():
+                self._engine.abandon(self._session.id, "remedy")
+                self._submit("solve", partial(solve_ask, world, wish), solved)
+            case FindRemedy():
+                self._submit("remedy", partial(seek_remedy, world, wish), remedied)
+            case Examine():
+                self._submit("examine", partial(examine, wish), examined)
+            case Weigh():
+                self._submit("weigh", partial(weigh, world, wish, self._tell), weighed)
+            case DrawGraph():
+                self._submit("graph", partial(draw_graph, world, wish), graphed)
+            case _:
+                assert_never(wish)
 
     def _submit(
         self,
@@ -126,6 +145,10 @@ class Connection:
             done=lambda result: self._take_result(step(self._session, result)),
             failed=self._failed,
         )
+
+    def _tell(self, message: ServerMessage) -> None:
+        """Send a message from another thread."""
+        self._loop.call_soon_threadsafe(self._outbox.put, message)
 
     def _failed(self, error: Exception) -> None:
         if isinstance(error, SceneGenError):

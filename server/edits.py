@@ -7,9 +7,8 @@ from dataclasses import dataclass
 from scenegen_core.errors import SceneError
 from scenegen_core.scene.files import MAX_BOXES, BoxRecord, box_of, room_of, scene_of
 from scenegen_core.scene.model import Scene
-from server.protocol import Problem, PutBox, PutRoom, PutScene, Query, RemoveBox
+from server.protocol import Edit, Problem, PutBox, PutRoom, PutScene, Query, RemoveBox
 
-Edit = PutScene | PutRoom | PutBox | RemoveBox
 PARTS: dict[type[Edit], str] = {
     PutScene: "$.scene",
     PutRoom: "$.room",

@@ -62,7 +62,34 @@ class Solve:
 
 @dataclass(frozen=True, slots=True)
 class StopSolving:
-    """Nobody waits for the answer any more."""
+    """Nobody waits for the answer any more, nor for a remedy."""
+
+
+@dataclass(frozen=True, slots=True)
+class FindRemedy:
+    """Say what would give a place where there is none."""
+
+    query: Query
+    scene: Scene
+    answer: Answer
+    maps: tuple[Binary, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Weigh:
+    """Say which box matters most to the best place."""
+
+    question: str
+    ask: str
+    query: Query
+    revision: int
+    scene: Scene
+    solution: Solution
+
+
+@dataclass(frozen=True, slots=True)
+class StopWeighing:
+    """Nobody waits for what matters any more."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -83,6 +110,8 @@ class DrawGraph:
     scene: Scene
 
 
-Deed = Send | SendAnswer | Push | Furnish | Solve | StopSolving | Examine | DrawGraph
+Work = Furnish | Solve | FindRemedy | Examine | Weigh | DrawGraph
+"""What takes long: a result comes of it."""
+Deed = Send | SendAnswer | Push | StopSolving | StopWeighing | Work
 """What is begun at once and waits for nothing."""
 Effect = Save | Deed

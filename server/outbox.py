@@ -13,8 +13,10 @@ from server.protocol import (
     Graph,
     HeatMapHeader,
     Inspected,
+    Matters,
     Models,
     ServerMessage,
+    Weighing,
 )
 from server.wire import Binary, Close
 
@@ -78,7 +80,7 @@ def _set(event: asyncio.Event, *, on: bool) -> None:
 def _key(frame: Frame) -> str | None:
     """What a frame is the newest of; None for commands."""
     match frame:
-        case Answer() | Inspected() | Graph() | Models():
+        case Answer() | Inspected() | Weighing() | Matters() | Graph() | Models():
             return type(frame).__name__
         case Binary(header=AssetHeader(digest=digest)):
             return digest

@@ -26,8 +26,9 @@ SUBPROTOCOL = "scenegen.1"
 Sequence = Annotated[int, Meta(ge=0)]
 Revision = Annotated[int, Meta(ge=0)]
 Digest = Annotated[str, Meta(pattern="^[0-9a-f]{32}$")]
-ModelName = Literal["paper"]
+ModelName = Literal["scenegen", "paper"]
 Surface = Literal["floor", "walls", "tops"]
+Comfort = Literal["window", "path"]
 
 CLOSE_WRONG_PROTOCOL = 4400
 CLOSE_TOO_MANY_ERRORS = 4401
@@ -96,8 +97,10 @@ class Query(Struct, frozen=True, forbid_unknown_fields=True):
     """Depth, width, height in metres; None for the usual size of the category."""
     item: Identifier | None = None
     """A catalogue item to show; its own size then counts when ``size`` is None."""
-    model: ModelName = "paper"
+    model: ModelName = "scenegen"
     count: Annotated[int, Meta(ge=1, le=10)] = 5
+    relaxed: Annotated[tuple[Comfort, ...], Meta(max_length=2)] = ()
+    """Rules that do not count this time."""
 
 
 class Ask(Message, frozen=True, tag="ask"):
@@ -116,6 +119,14 @@ class Inspect(Message, frozen=True, tag="inspect"):
     heading: float
 
 
+class WhatMatters(Message, frozen=True, tag="what_matters"):
+    """Which box matters most to the best place of the current ask? Newest wins; edits end it."""
+
+    id: Identifier
+    on: bool = True
+    """False: nobody waits for it any more."""
+
+
 class WatchGraph(Message, frozen=True, tag="watch_graph"):
     """Send the scene graph now and after every edit, or stop."""
 
@@ -128,7 +139,8 @@ class Ping(Message, frozen=True, tag="ping"):
     nonce: Sequence
 
 
-ClientMessage = Hello | PutScene | PutRoom | PutBox | RemoveBox | Ask | Inspect | WatchGraph | Ping
+Edit = PutScene | PutRoom | PutBox | RemoveBox
+ClientMessage = Hello | Edit | Ask | Inspect | WhatMatters | WatchGraph | Ping
 
 
 # --- server to page -------------------------------------------------------------------------------
@@ -218,10 +230,26 @@ class Placement(Struct, frozen=True):
     """Log-likelihood above the average possible spot of this room (nats)."""
     likelihood: float
     """0 to 1 on the scale of the heat map's legend (0 worst, 1 best)."""
+    name: str
+    """A few words that tell it from the others on offer: "by the window"."""
     sentence: str
     reasons: tuple[Reason, ...]
     rooms: tuple[str, ...]
     """The known rooms that speak loudest for it."""
+
+
+class Remedy(Struct, frozen=True):
+    """The nearest thing that gives a place: a smaller size, one box less, or one rule less."""
+
+    kind: Literal["size", "box", "rule"]
+    text: str
+    center: CenterRecord
+    """Where the object would then go."""
+    heading: float
+    size: SizeRecord | None
+    box: str | None
+    """The id of the box to take away."""
+    rule: Comfort | None
 
 
 class NoGoodPlace(Struct, frozen=True):
@@ -229,6 +257,8 @@ class NoGoodPlace(Struct, frozen=True):
 
     rule: str
     text: str
+    remedy: Remedy | None
+    """None until it is found, and if there is none; the answer then comes once more with it."""
 
 
 class Answer(Message, frozen=True, tag="answer"):
@@ -249,6 +279,30 @@ class Answer(Message, frozen=True, tag="answer"):
     elapsed_ms: float
 
 
+class Elsewhere(Struct, frozen=True):
+    """Another pose, and how to get there."""
+
+    center: CenterRecord
+    heading: float
+    distance: float
+    """Metres from the pose that was inspected."""
+    text: str
+    """The way in words: "30 cm further from the door"."""
+    sentence: str
+    """How it stands there."""
+
+
+class Cost(Struct, frozen=True):
+    """What a pose loses to the best one on offer through one relation to a group."""
+
+    relation: str
+    group: str
+    difference: float
+    """Nats, negative."""
+    here: str
+    best: str
+
+
 class Inspected(Message, frozen=True, tag="inspected"):
     """What the query's model says of one pose."""
 
@@ -256,11 +310,50 @@ class Inspected(Message, frozen=True, tag="inspected"):
     ask: str
     revision: Revision
     allowed: bool
+    rule: str
+    """The rule that forbids it; empty if none does."""
     score: float | None
     likelihood: float | None
     sentence: str
-    """Why here, or the rule that forbids it."""
+    """Why here, or why not."""
     reasons: tuple[Reason, ...]
+    costs: tuple[Cost, ...]
+    """What it loses most by to the best place, the dearest first."""
+    elsewhere: Elsewhere | None
+    """The nearest pose that is allowed, or one that is better; None if there is none."""
+
+
+class Weighing(Message, frozen=True, tag="weighing"):
+    """How far the search for what matters has come."""
+
+    id: str
+    done: int
+    total: int
+
+
+class Counterfactual(Struct, frozen=True):
+    """The box whose removal changes the best place most, and the place without it."""
+
+    box: str
+    center: CenterRecord | None
+    """None if there is no place without it."""
+    heading: float | None
+    text: str
+    moved: float
+    """Metres between the best places with and without it."""
+    turned: float
+    """Radians between them, 0 to π."""
+    score_change: float
+    """Nats, without it less with it."""
+
+
+class Matters(Message, frozen=True, tag="matters"):
+    """What matters most; nothing if no box alone changes the place."""
+
+    id: str
+    ask: str
+    revision: Revision
+    found: Counterfactual | None
 
 
 class GraphNode(Struct, frozen=True):
@@ -311,7 +404,7 @@ class Pong(Message, frozen=True, tag="pong"):
 
 
 ServerMessage = (
-    Welcome | Ack | Models | Answer | Inspected | Graph | Problem | Pong
+    Welcome | Ack | Models | Answer | Inspected | Weighing | Matters | Graph | Problem | Pong
 )  # fmt: skip
 
 

@@ -6,10 +6,10 @@ from collections.abc import Iterable
 from dataclasses import dataclass, replace
 
 from scenegen_core.placement.solve import Solution
-from server.effects import Deed, Push, Send, SendAnswer
+from server.effects import Deed, FindRemedy, Push, Send, SendAnswer
 from server.looks import Look
-from server.protocol import Answer, Graph, Inspected, Models
-from server.session import Session, examine, wanted_looks
+from server.protocol import Answer, Graph, Inspected, Matters, Models
+from server.session import Session, examine, wanted_looks, weigh
 from server.wire import Binary
 
 Step = tuple[Session, tuple[Deed, ...]]
@@ -33,6 +33,14 @@ class Solved:
     maps: tuple[Binary, ...]
 
 
+@dataclass(frozen=True, slots=True)
+class Remedied:
+    """The answer that there is no place, once more, with what would give one."""
+
+    answer: Answer
+    maps: tuple[Binary, ...]
+
+
 def furnished(session: Session, result: Furnished) -> Step:
     """Models are ready; those of boxes that look different by now are dropped."""
     wanted = wanted_looks(session)
@@ -51,15 +59,42 @@ def solved(session: Session, result: Solved) -> Step:
     One of an older revision is sent too: while a box is dragged it is the newest there is. Poses
     are examined in the scene as it is only.
     """
-    ask, answer, waiting = session.ask, result.answer, session.inspect
+    ask, answer = session.ask, result.answer
     if ask is None or answer.ask != ask.id:
         return session, ()
     session, pushes = _push(session, (answer.asset,))
     sent = (*pushes, SendAnswer(answer, result.maps))
     if answer.revision != session.revision:
         return session, sent
-    session = replace(session, solution=result.solution, inspect=None)
-    return session, sent if waiting is None else (*sent, *examine(session, waiting))
+    waiting = replace(session, solution=result.solution)
+    seek = _seek(waiting, answer, result.maps)
+    return replace(waiting, inspect=None), (*sent, *examine(waiting), *weigh(waiting), *seek)
+
+
+def remedied(session: Session, result: Remedied) -> Step:
+    """What would give a place; dropped if it is stale or nothing would."""
+    found = result.answer.no_good_place
+    current = session.ask is not None and result.answer.ask == session.ask.id
+    if not current or result.answer.revision != session.revision or found is None:
+        return session, ()
+    return session, (SendAnswer(result.answer, result.maps),) if found.remedy else ()
+
+
+def weighed(session: Session, message: Matters) -> Step:
+    """What matters most; dropped if nobody waits for it any more."""
+    if session.weigh is None or session.weigh.id != message.id:
+        return session, ()
+    return replace(session, weigh=None), (Send(message),)
+
+
+def _seek(session: Session, answer: Answer, maps: tuple[Binary, ...]) -> tuple[Deed, ...]:
+    """Look for a remedy if there is no place."""
+    if answer.no_good_place is None:
+        return ()
+    assert session.ask is not None
+    assert session.ask.query is not None
+    assert session.scene is not None
+    return (FindRemedy(session.ask.query, session.scene, answer, maps),)
 
 
 def examined(session: Session, message: Inspected) -> Step:

@@ -15,7 +15,7 @@ from msgspec.structs import replace as replace_fields
 from scenegen_core.placement.solve import Solution
 from scenegen_core.scene.files import record_of
 from scenegen_core.scene.model import Scene
-from server.edits import Edit, Vocabulary, edited, wrong_query
+from server.edits import Vocabulary, edited, wrong_query
 from server.effects import (
     Deed,
     DrawGraph,
@@ -26,12 +26,15 @@ from server.effects import (
     Send,
     Solve,
     StopSolving,
+    StopWeighing,
+    Weigh,
 )
 from server.looks import Look, look_of
 from server.protocol import (
     Ack,
     Ask,
     ClientMessage,
+    Edit,
     Hello,
     Inspect,
     Ping,
@@ -43,6 +46,7 @@ from server.protocol import (
     RemoveBox,
     WatchGraph,
     Welcome,
+    WhatMatters,
 )
 
 
@@ -63,6 +67,8 @@ class Session:
     """Of the ask, for the scene as it is; None while it is being computed."""
     inspect: Inspect | None = None
     """A pose that waits for the solution."""
+    weigh: WhatMatters | None = None
+    """What the page wants to know, until it is told."""
     watching: bool = False
     """Whether the page wants the graph."""
 
@@ -92,8 +98,8 @@ def handle(session: Session, message: ClientMessage, words: Vocabulary) -> Step:
             return _edit(session, message, words)
         case Ask():
             return _ask(session, message, words)
-        case Inspect():
-            return _inspect(session, message)
+        case Inspect() | WhatMatters():
+            return _question(session, message)
         case WatchGraph():
             watching = replace(session, watching=message.on)
             return watching, _draw_graph(watching)
@@ -112,6 +118,7 @@ def _edit(session: Session, edit: Edit, words: Vocabulary) -> Step:
         return session, (Send(scene),)
     if scene is None:  # a box was removed from no room
         return session, (Send(Ack(seq=edit.seq, revision=session.revision)),)
+    session, stopped = _stop_weighing(session)
     session = replace(
         session,
         revision=session.revision + 1,
@@ -122,6 +129,7 @@ def _edit(session: Session, edit: Edit, words: Vocabulary) -> Step:
     return session, (
         Save(session.id, session.revision, scene),
         Send(Ack(seq=edit.seq, revision=session.revision)),
+        *stopped,
         *_furnish(session),
         *_solve(session),
         *_draw_graph(session),
@@ -130,29 +138,63 @@ def _edit(session: Session, edit: Edit, words: Vocabulary) -> Step:
 
 def _ask(session: Session, ask: Ask, words: Vocabulary) -> Step:
     if ask.query is None:
-        stopped = replace(session, ask=None, solution=None, inspect=None)
-        return stopped, (StopSolving(),)
+        session, stopped = _stop_weighing(session)
+        return replace(session, ask=None, solution=None, inspect=None), (StopSolving(), *stopped)
     problem = wrong_query(ask.query, words)
     if problem is not None:
         return session, (Send(problem),)
+    session, stopped = _stop_weighing(session)
     session = replace(session, ask=ask, solution=None, inspect=None)
-    return session, _solve(session)
+    return session, (*stopped, *_solve(session))
 
 
-def _inspect(session: Session, inspect: Inspect) -> Step:
+def _question(session: Session, question: Inspect | WhatMatters) -> Step:
+    """A question about the ask: it waits until the ask is solved."""
+    if isinstance(question, WhatMatters) and not question.on:
+        return _stop_weighing(session)
     if session.ask is None:
         text = "There is nothing to be placed yet; ask first."
         return session, (Send(Problem(code="bad_query", text=text, path="$.type")),)
-    if session.solution is None:
-        return replace(session, inspect=inspect), ()
-    return session, examine(session, inspect)
+    if isinstance(question, WhatMatters):
+        waiting = replace(session, weigh=question)
+        return waiting, () if session.solution is None else weigh(waiting)
+    waiting = replace(session, inspect=question)
+    return (waiting, ()) if session.solution is None else (session, examine(waiting))
 
 
-def examine(session: Session, inspect: Inspect) -> tuple[Deed, ...]:
-    """Have the solution, which is there, look at a pose."""
+def examine(session: Session) -> tuple[Deed, ...]:
+    """Have the solution, which is there, look at the pose that waits, if one does."""
+    if session.inspect is None:
+        return ()
     assert session.ask is not None
     assert session.solution is not None
-    return (Examine(session.solution, inspect, session.ask.id, session.revision),)
+    return (Examine(session.solution, session.inspect, session.ask.id, session.revision),)
+
+
+def weigh(session: Session) -> tuple[Deed, ...]:
+    """Have it found out what matters to the solution, which is there, if the page wants to know."""
+    if session.weigh is None:
+        return ()
+    assert session.ask is not None
+    assert session.ask.query is not None
+    assert session.scene is not None
+    assert session.solution is not None
+    return (
+        Weigh(
+            session.weigh.id,
+            session.ask.id,
+            session.ask.query,
+            session.revision,
+            session.scene,
+            session.solution,
+        ),
+    )
+
+
+def _stop_weighing(session: Session) -> tuple[Session, tuple[Deed, ...]]:
+    if session.weigh is None:
+        return session, ()
+    return replace(session, weigh=None), (StopWeighing(),)
 
 
 def _solve(session: Session) -> tuple[Deed, ...]:

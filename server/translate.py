@@ -2,6 +2,10 @@
 
 from __future__ import annotations
 
+from dataclasses import asdict
+
+from msgspec.structs import replace
+
 from scenegen_core.graph.scene_graph import SceneGraph
 from scenegen_core.knowledge.knowledge import MIN_EXAMPLES, Knowledge
 from scenegen_core.placement import answer as core
@@ -24,6 +28,7 @@ def query_of(query: wire.Query, catalogue: Catalogue) -> core.Query:
         size=query.size or item_size,
         count=query.count,
         model=query.model,
+        relaxed=query.relaxed,
     )
 
 
@@ -41,6 +46,14 @@ def answer_message(
         no_good_place=_no_good_place(answer.no_good_place),
         elapsed_ms=round(elapsed * 1000, 1),
     )
+
+
+def with_remedy(answer: wire.Answer, remedy: core.Remedy | None) -> wire.Answer:
+    """The answer that there is no place, with what would give one."""
+    if remedy is None or answer.no_good_place is None:
+        return answer
+    found = replace(answer.no_good_place, remedy=wire.Remedy(**asdict(remedy)))
+    return replace(answer, no_good_place=found)
 
 
 def heat_map_frame(heat_map: core.HeatMap, *, ask: str, revision: int) -> Binary:
@@ -68,10 +81,25 @@ def inspected_message(
         ask=ask,
         revision=revision,
         allowed=inspection.allowed,
+        rule=inspection.rule,
         score=inspection.score,
         likelihood=inspection.likelihood,
         sentence=inspection.sentence,
         reasons=tuple(map(_reason, inspection.reasons)),
+        costs=tuple(map(_cost, inspection.costs)),
+        elsewhere=_elsewhere(inspection.elsewhere),
+    )
+
+
+def matters_message(
+    found: core.Counterfactual | None, *, question: str, ask: str, revision: int
+) -> wire.Matters:
+    """What matters most, on the wire."""
+    return wire.Matters(
+        id=question,
+        ask=ask,
+        revision=revision,
+        found=None if found is None else wire.Counterfactual(**asdict(found)),
     )
 
 
@@ -129,7 +157,17 @@ def catalogue_items(catalogue: Catalogue, assets: Assets) -> tuple[wire.Catalogu
 
 
 def _no_good_place(found: core.NoGoodPlace | None) -> wire.NoGoodPlace | None:
-    return None if found is None else wire.NoGoodPlace(rule=found.rule, text=found.text)
+    if found is None:
+        return None
+    return wire.NoGoodPlace(rule=found.rule, text=found.text, remedy=None)
+
+
+def _elsewhere(found: core.Elsewhere | None) -> wire.Elsewhere | None:
+    return None if found is None else wire.Elsewhere(**asdict(found))
+
+
+def _cost(cost: core.Cost) -> wire.Cost:
+    return wire.Cost(**asdict(cost))
 
 
 def _placement(pose: core.Pose) -> wire.Placement:
@@ -139,6 +177,7 @@ def _placement(pose: core.Pose) -> wire.Placement:
         heading=pose.heading,
         score=pose.score,
         likelihood=pose.likelihood,
+        name=pose.name,
         sentence=pose.sentence,
         reasons=tuple(map(_reason, pose.reasons)),
         rooms=pose.rooms,

@@ -2,22 +2,27 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from time import perf_counter
 
 from scenegen_core.graph.scene_graph import scene_graph
 from scenegen_core.placement.answer import Cancelled
+from scenegen_core.placement.remedies import find_remedy
 from scenegen_core.placement.solve import solve
-from server.effects import DrawGraph, Examine, Furnish, Solve
+from scenegen_core.placement.what_if import what_matters
+from server.effects import DrawGraph, Examine, FindRemedy, Furnish, Solve, Weigh
 from server.engine import Cancel
 from server.looks import look
-from server.protocol import Graph, Inspected
-from server.results import Furnished, Solved
+from server.protocol import Graph, Inspected, Matters, Weighing
+from server.results import Furnished, Remedied, Solved
 from server.translate import (
     answer_message,
     graph_message,
     heat_map_frame,
     inspected_message,
+    matters_message,
     query_of,
+    with_remedy,
 )
 from server.world import World
 
@@ -41,6 +46,29 @@ def solve_ask(world: World, wish: Solve, cancelled: Cancel) -> Solved:
         for heat_map in found.heat_maps
     )
     return Solved(solution, answer, maps)
+
+
+def seek_remedy(world: World, wish: FindRemedy, cancelled: Cancel) -> Remedied:
+    """The same answer with the nearest thing that would give a place."""
+    query = query_of(wish.query, world.catalogue)
+    remedy = find_remedy(wish.scene, query, world.knowledge, cancelled=cancelled)
+    return Remedied(with_remedy(wish.answer, remedy), wish.maps)
+
+
+def weigh(
+    world: World, wish: Weigh, tell: Callable[[Weighing], None], cancelled: Cancel
+) -> Matters:
+    """Which box matters most; ``tell`` sends how far the search has come."""
+    total = len(wish.scene.boxes)
+    found = what_matters(
+        wish.scene,
+        query_of(wish.query, world.catalogue),
+        wish.solution.answer,
+        world.knowledge,
+        progress=lambda done: tell(Weighing(id=wish.question, done=done, total=total)),
+        cancelled=cancelled,
+    )
+    return matters_message(found, question=wish.question, ask=wish.ask, revision=wish.revision)
 
 
 def make_models(world: World, wish: Furnish, cancelled: Cancel) -> Furnished:

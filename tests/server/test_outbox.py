@@ -72,10 +72,10 @@ def test_of_graphs_and_inspections_only_the_newest_waits() -> None:
     outbox = Outbox()
     for revision in range(5):
         outbox.put(Graph(revision, (), ()))
-        outbox.put(Inspected(str(revision), "a", revision, False, None, None, "", ()))
+        outbox.put(Inspected(str(revision), "a", revision, False, "", None, None, "", (), (), None))
     assert drained(outbox) == [
         (Graph(4, (), ()),),
-        (Inspected("4", "a", 4, False, None, None, "", ()),),
+        (Inspected("4", "a", 4, False, "", None, None, "", (), (), None),),
     ]
 
 

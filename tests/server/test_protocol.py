@@ -94,7 +94,7 @@ def test_messages_refuse_fields_they_do_not_know() -> None:
         if kind is not None and not kind.__struct_config__.forbid_unknown_fields
     }
     received_only = {
-        "CategoryInfo", "CatalogueItem", "RoomInfo", "Reason", "Placement", "NoGoodPlace",
-        "GraphNode", "GraphEdge",
+        "CategoryInfo", "CatalogueItem", "RoomInfo", "Reason", "Placement", "NoGoodPlace", "Remedy",
+        "Elsewhere", "Cost", "Counterfactual", "GraphNode", "GraphEdge",
     }  # fmt: skip
     assert sent == received_only

@@ -322,7 +322,7 @@ def test_inspecting_without_an_ask_is_refused() -> None:
 
 def test_a_pose_examined_in_an_older_scene_is_dropped_and_a_graph_when_unwatched() -> None:
     session, _ = after(DRAWN, SOFA, WatchGraph(on=True))
-    fresh = Inspected("i", "a", 4, True, None, None, "", ())
+    fresh = Inspected("i", "a", 4, True, "", None, None, "", (), (), None)
     graph = Graph(revision=4, nodes=(), edges=())
     assert examined(session, fresh)[1] == (Send(fresh),)
     assert graphed(session, graph)[1] == (Send(graph),)

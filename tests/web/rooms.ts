@@ -35,6 +35,7 @@ export function placement(rank: number, change: Partial<Placement> = {}): Placem
     heading: 0,
     score: 1,
     likelihood: 1,
+    name: "at the wall",
     sentence: "Against the wall.",
     reasons: [],
     rooms: [],

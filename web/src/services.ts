@@ -56,9 +56,9 @@ export function createServices(
     },
 
     async exportHeatMap() {
-      const { placing } = store.getState();
+      const { placing, model } = store.getState();
       if (placing === null) return problem("Choose something to place first.");
-      const body = { scene: sceneNow(), query: queryOf(placing) };
+      const body = { scene: sceneNow(), query: queryOf(placing, model) };
       await download("/export/heat-map.png", body, `${fileName(sceneNow())}-map.png`);
     },
 

@@ -116,7 +116,7 @@ describe("SceneGen", () => {
   test("where there is no good place the ghost stands nowhere", () => {
     const none = answered(asking, 1, {
       placements: [],
-      no_good_place: { rule: "room", text: "No free wall is wide enough." },
+      no_good_place: { rule: "room", text: "No free wall is wide enough.", remedy: null },
     });
     expect(none.placing).toMatchObject({ pose: null, alternative: 1 });
   });
@@ -138,6 +138,9 @@ describe("SceneGen", () => {
       likelihood: 0.5,
       sentence: "In the middle of the room.",
       reasons: [],
+      rule: "",
+      costs: [],
+      elsewhere: null,
     };
     const pose = { center: [3, 2, 0.4], heading: 0 } as const;
     const said: Action = { type: "inspected", inspected, pose };

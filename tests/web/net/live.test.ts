@@ -213,6 +213,9 @@ describe("placing", () => {
       likelihood: 0.4,
       sentence: "In the middle of the room.",
       reasons: [],
+      rule: "",
+      costs: [],
+      elsewhere: null,
     });
     expect(socket.of("inspect").map(({ center }) => center[0])).toEqual([1, 3]);
     expect(store.getState().placing?.inspected?.likelihood).toBe(0.4);
@@ -280,6 +283,9 @@ describe("placing it here", () => {
         likelihood: null,
         sentence,
         reasons: [],
+        rule: "",
+        costs: [],
+        elsewhere: null,
       });
     return { ...started, ask, says, boxes: () => store.getState().scene.boxes.length };
   }

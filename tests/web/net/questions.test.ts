@@ -44,7 +44,14 @@ describe("asking", () => {
       {
         type: "ask",
         id: ask,
-        query: { category: "Sofa", size: [0.9, 2, 0.8], item: null, model: "paper", count: 5 },
+        query: {
+          category: "Sofa",
+          size: [0.9, 2, 0.8],
+          item: null,
+          model: "scenegen",
+          count: 5,
+          relaxed: [],
+        },
       },
     ]);
   });

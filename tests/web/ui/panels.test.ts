@@ -53,19 +53,19 @@ describe("the place panel", () => {
     const words = panelOf(
       answeredWith({
         placements: [
-          placement(1, { sentence: "By the wall." }),
-          placement(2, { sentence: "By the TV." }),
+          placement(1, { name: "at the wall", sentence: "By the wall." }),
+          placement(2, { name: "opposite the TV", sentence: "By the TV." }),
         ],
       }),
     );
-    expect(words).toMatch(/1 By the wall\. 2 By the TV\./);
+    expect(words).toMatch(/1 At the wall By the wall\. 2 Opposite the TV By the TV\./);
   });
 
   test("says which rule leaves no place, and what to try", () => {
     const words = panelOf(
       answeredWith({
         placements: [],
-        no_good_place: { rule: "wall", text: "No free wall is wide enough." },
+        no_good_place: { rule: "wall", text: "No free wall is wide enough.", remedy: null },
       }),
     );
     expect(words).toContain(
@@ -134,6 +134,9 @@ describe("the reasons", () => {
         likelihood: null,
         sentence: "It blocks the door",
         reasons: [],
+        rule: "",
+        costs: [],
+        elsewhere: null,
       },
     });
     const { page } = sitDown(inspected);

@@ -50,7 +50,7 @@ export function inspected(state: State, value: Inspected, pose: Pose): State {
 export function askRefused(state: State, text: string): State {
   const { placing } = state;
   if (placing === null) return state;
-  const bare = { answer: null, heatMaps: [], inspected: null, inspectedPose: null };
+  const bare = { answer: null, heatMaps: [], inspected: null, inspectedPose: null, weigh: null };
   return { ...state, placing: { ...placing, ...bare, computing: false, problem: text } };
 }
 
@@ -62,6 +62,7 @@ export function askAgain(state: State): State {
     ask: `ask-${state.nextId}`,
     computing: true,
     problem: null,
+    weigh: null,
   };
   return { ...state, placing, nextId: state.nextId + 1 };
 }

@@ -22,7 +22,7 @@ export function refusalOf(state: State): string | null {
   const { placing } = state;
   const ghost = ghostBox(state);
   if (placing === null || ghost === null) return null;
-  const obstacle = obstacleOf(state.scene, ghost);
+  const obstacle = obstacleOf(state.scene, ghost, placing.relaxed);
   if (obstacle !== null) return obstacleSentence(obstacle);
   return serverWord(placing) === "no" ? (placing.inspected?.sentence ?? null) : null;
 }

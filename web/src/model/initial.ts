@@ -41,6 +41,7 @@ export function initialState(scene: SceneRecord, nextId = 1): State {
     draft: null,
     selection: null,
     placing: null,
+    model: "scenegen",
     shown: {
       camera: "orbit",
       heat: true,

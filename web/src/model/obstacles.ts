@@ -2,7 +2,13 @@
  * What keeps a thing from standing where it is: the rules of scenegen_core/placement/feasible.py
  * as far as the page can tell by itself, so that it is honest without the server too.
  */
-import type { BoxRecord, OpeningRecord, RoomRecord, SceneRecord } from "../net/protocol.gen";
+import type {
+  BoxRecord,
+  Comfort,
+  OpeningRecord,
+  RoomRecord,
+  SceneRecord,
+} from "../net/protocol.gen";
 import {
   bottomOf,
   CONTACT,
@@ -35,8 +41,15 @@ export type Obstacle =
   | { readonly kind: "wall" | "ceiling" | "hold" | "door" | "window" }
   | { readonly kind: "box"; readonly box: BoxRecord };
 
-/** The first thing in the way of a box, its own former self excepted; null if nothing is. */
-export function obstacleOf(scene: SceneRecord, box: BoxRecord): Obstacle | null {
+/**
+ * The first thing in the way of a box, its own former self excepted; null if nothing is. Rules that
+ * are `relaxed` do not count.
+ */
+export function obstacleOf(
+  scene: SceneRecord,
+  box: BoxRecord,
+  relaxed: readonly Comfort[] = [],
+): Obstacle | null {
   const { room } = scene;
   if (!standsInside(box, room)) return { kind: "wall" };
   if (topOf(box) > room.height + CEILING) return { kind: "ceiling" };
@@ -44,7 +57,7 @@ export function obstacleOf(scene: SceneRecord, box: BoxRecord): Obstacle | null 
   const hit = scene.boxes.find((other) => other.id !== box.id && collide(box, other));
   if (hit !== undefined) return { kind: "box", box: hit };
   if (blocksDoor(room, box)) return { kind: "door" };
-  return coversWindow(room, box) ? { kind: "window" } : null;
+  return !relaxed.includes("window") && coversWindow(room, box) ? { kind: "window" } : null;
 }
 
 /** The obstacle as a sentence. */

@@ -9,7 +9,13 @@ import { freeId, withBox } from "./scenes";
 import type { Mode, Placing, Point, Pose, State, Vector3 } from "./state";
 
 /** Nothing was said of where the ghost stands, or of the ask. */
-const UNTOLD = { inspected: null, inspectedPose: null, confirming: false, problem: null };
+const UNTOLD = {
+  inspected: null,
+  inspectedPose: null,
+  confirming: false,
+  problem: null,
+  weigh: null,
+};
 
 interface Wish {
   readonly category: string;
@@ -28,6 +34,7 @@ export function place(state: State, wish: Wish): State {
     category,
     item,
     wishedSize: wish.size,
+    relaxed: [],
     size,
     asset: state.lists.catalogue.find(({ id }) => id === item)?.asset ?? null,
     pose: mode === "manual" ? poseAt(state.scene, category, size, view) : null,

@@ -36,9 +36,11 @@ import {
   turnGhost,
 } from "./placing";
 import { connected, graphed, modelled, resumed } from "./received";
+import { withoutBox } from "./scenes";
 import { cycleSelection, select, valid } from "./selecting";
 import { cancel, show, toggleRelation } from "./showing";
 import type { Action, State } from "./state";
+import { chooseModel, matters, relax, weighing, whatMatters } from "./wondering";
 
 /** What happens by itself: the invitation to begin stays. */
 const BY_ITSELF: ReadonlySet<Action["type"]> = new Set([
@@ -51,6 +53,8 @@ const BY_ITSELF: ReadonlySet<Action["type"]> = new Set([
   "models",
   "answer",
   "inspected",
+  "weighing",
+  "matters",
   "ask-refused",
   "stop-waiting",
   "graph",
@@ -80,6 +84,8 @@ function changed(state: State, action: Action): State {
       return state.placing === null ? nudge(state, action.by) : nudgeGhost(state, action.by);
     case "turn":
       return state.placing === null ? turn(state, action.by) : turnGhost(state, action.by);
+    case "remove-box":
+      return edited(state, withoutBox(state.scene, action.id), true);
     case "delete-selected":
       return deleteSelected(state);
     case "duplicate-selected":
@@ -114,6 +120,12 @@ function changed(state: State, action: Action): State {
       return carried(setMode(state, action.mode, action.view));
     case "set-size":
       return setSize(state, action.size);
+    case "choose-model":
+      return chooseModel(state, action.model);
+    case "relax":
+      return relax(state, action.rule);
+    case "what-matters":
+      return whatMatters(state, action.on);
     case "show-alternative":
       return showAlternative(state, action.rank);
     case "drag-ghost":
@@ -166,6 +178,10 @@ function changed(state: State, action: Action): State {
       return answered(state, action.answer, action.heatMaps);
     case "inspected":
       return inspected(state, action.inspected, action.pose);
+    case "weighing":
+      return weighing(state, action.weighing);
+    case "matters":
+      return matters(state, action.matters);
     case "ask-refused":
       return askRefused(state, action.text);
     case "graph":
@@ -190,5 +206,6 @@ function followed(before: State, after: State): State {
     return elsewhere(before, other);
   }
   if (placing === null) return { ...after, selection };
-  return { ...after, selection, placing: { ...placing, computing: placing.problem === null } };
+  const computing = placing.problem === null;
+  return { ...after, selection, placing: { ...placing, computing, weigh: null } };
 }

@@ -11,14 +11,18 @@ import type {
   BoxRecord,
   CatalogueItem,
   CategoryInfo,
+  Comfort,
   Graph,
   Inspected,
+  Matters,
+  ModelName,
   OpeningRecord,
   Placement,
   RoomInfo,
   RoomRecord,
   SceneRecord,
   Surface,
+  Weighing,
 } from "../net/protocol.gen";
 
 export type Point = readonly [number, number];
@@ -71,6 +75,16 @@ export interface HeatMap {
   readonly values: Uint8Array<ArrayBuffer>;
 }
 
+/** "What matters most?", asked of the places on offer. */
+export interface Weigh {
+  readonly id: string;
+  readonly done: number;
+  /** Things to be tried; 0 until the server has said. */
+  readonly total: number;
+  /** Null until it is found out. */
+  readonly result: Matters | null;
+}
+
 /** An object on its way into the room. */
 export interface Placing {
   /** The id of the ask; answers that carry another are stale. */
@@ -80,6 +94,8 @@ export interface Placing {
   readonly item: string | null;
   /** What the user typed; null for the usual size. */
   readonly wishedSize: Vector3 | null;
+  /** Rules that the person chose to live without. */
+  readonly relaxed: readonly Comfort[];
   /** The size in force (the server's once it has answered). */
   readonly size: Vector3;
   /** The GLB of the object, once known. */
@@ -100,6 +116,8 @@ export interface Placing {
   readonly confirming: boolean;
   /** Why the server cannot answer this ask; null if it can. */
   readonly problem: string | null;
+  /** What the person wants to know of the answer; null for nothing. */
+  readonly weigh: Weigh | null;
 }
 
 export type ConnectionStatus = "connecting" | "online" | "offline";
@@ -193,6 +211,8 @@ export interface State {
   readonly draft: Draft | null;
   readonly selection: Selection | null;
   readonly placing: Placing | null;
+  /** The model that finds places. */
+  readonly model: ModelName;
   readonly shown: Shown;
   readonly connection: Connection;
   readonly lists: Lists;
@@ -230,6 +250,7 @@ export type Action =
   | { readonly type: "nudge"; readonly by: Point }
   | { readonly type: "turn"; readonly by: number }
   | { readonly type: "delete-selected" }
+  | { readonly type: "remove-box"; readonly id: string }
   | { readonly type: "duplicate-selected" }
   | { readonly type: "undo" }
   | { readonly type: "redo" }
@@ -256,6 +277,11 @@ export type Action =
     }
   | { readonly type: "set-mode"; readonly mode: Mode; readonly view: Point }
   | { readonly type: "set-size"; readonly size: Vector3 | null }
+  | { readonly type: "choose-model"; readonly model: ModelName }
+  /** A rule that does not count for this object. */
+  | { readonly type: "relax"; readonly rule: Comfort }
+  /** Which thing matters most to the place, or never mind. */
+  | { readonly type: "what-matters"; readonly on: boolean }
   | { readonly type: "show-alternative"; readonly rank: number }
   | { readonly type: "drag-ghost"; readonly pose: Pose; readonly done: boolean }
   | { readonly type: "confirm" }
@@ -288,6 +314,8 @@ export type Action =
   | { readonly type: "models"; readonly boxes: Readonly<Record<string, string>> }
   | { readonly type: "answer"; readonly answer: Answer; readonly heatMaps: readonly HeatMap[] }
   | { readonly type: "inspected"; readonly inspected: Inspected; readonly pose: Pose }
+  | { readonly type: "weighing"; readonly weighing: Weighing }
+  | { readonly type: "matters"; readonly matters: Matters }
   | { readonly type: "ask-refused"; readonly text: string }
   | { readonly type: "graph"; readonly graph: Graph };
 

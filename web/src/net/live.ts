@@ -123,6 +123,12 @@ export class Live implements Listener {
       case "inspected":
         this.#inspected(message);
         break;
+      case "weighing":
+        dispatch({ type: "weighing", weighing: message });
+        break;
+      case "matters":
+        dispatch({ type: "matters", matters: message });
+        break;
       case "graph":
         dispatch({ type: "graph", graph: message });
         break;

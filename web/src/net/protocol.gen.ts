@@ -15,6 +15,7 @@ export const MAX_CORNERS = 200;
 
 export type ModelName = "paper" | "scenegen";
 export type Surface = "floor" | "tops" | "walls";
+export type Comfort = "path" | "window";
 
 /** A door or window: a segment on the outline from `bottom` to `top`, metres. */
 export interface OpeningRecord {
@@ -112,6 +113,8 @@ export interface Query {
   readonly item: string | null;
   readonly model: ModelName;
   readonly count: number;
+  /** Rules that do not count this time. */
+  readonly relaxed: readonly Comfort[];
 }
 
 /** Keep answering this query after every edit until the next ask; null stops. */
@@ -128,6 +131,14 @@ export interface Inspect {
   readonly id: string;
   readonly center: readonly [number, number, number];
   readonly heading: number;
+}
+
+/** Which box matters most to the best place of the current ask? Newest wins; edits end it. */
+export interface WhatMatters {
+  readonly type: "what_matters";
+  readonly id: string;
+  /** False: nobody waits for it any more. */
+  readonly on: boolean;
 }
 
 /** Send the scene graph now and after every edit, or stop. */
@@ -222,16 +233,33 @@ export interface Placement {
   readonly score: number;
   /** 0 to 1 on the scale of the heat map's legend (0 worst, 1 best). */
   readonly likelihood: number;
+  /** A few words that tell it from the others on offer: "by the window". */
+  readonly name: string;
   readonly sentence: string;
   readonly reasons: readonly Reason[];
   /** The known rooms that speak loudest for it. */
   readonly rooms: readonly string[];
 }
 
+/** The nearest thing that gives a place: a smaller size, one box less, or one rule less. */
+export interface Remedy {
+  readonly kind: "box" | "rule" | "size";
+  readonly text: string;
+  /** Where the object would then go. */
+  readonly center: readonly [number, number, number];
+  readonly heading: number;
+  readonly size: readonly [number, number, number] | null;
+  /** The id of the box to take away. */
+  readonly box: string | null;
+  readonly rule: Comfort | null;
+}
+
 /** Why there is no place. */
 export interface NoGoodPlace {
   readonly rule: string;
   readonly text: string;
+  /** null until it is found, and if there is none; the answer then comes once more with it. */
+  readonly remedy: Remedy | null;
 }
 
 /**
@@ -253,6 +281,28 @@ export interface Answer {
   readonly elapsed_ms: number;
 }
 
+/** Another pose, and how to get there. */
+export interface Elsewhere {
+  readonly center: readonly [number, number, number];
+  readonly heading: number;
+  /** Metres from the pose that was inspected. */
+  readonly distance: number;
+  /** The way in words: "30 cm further from the door". */
+  readonly text: string;
+  /** How it stands there. */
+  readonly sentence: string;
+}
+
+/** What a pose loses to the best one on offer through one relation to a group. */
+export interface Cost {
+  readonly relation: string;
+  readonly group: string;
+  /** Nats, negative. */
+  readonly difference: number;
+  readonly here: string;
+  readonly best: string;
+}
+
 /** What the query's model says of one pose. */
 export interface Inspected {
   readonly type: "inspected";
@@ -260,11 +310,49 @@ export interface Inspected {
   readonly ask: string;
   readonly revision: number;
   readonly allowed: boolean;
+  /** The rule that forbids it; empty if none does. */
+  readonly rule: string;
   readonly score: number | null;
   readonly likelihood: number | null;
-  /** Why here, or the rule that forbids it. */
+  /** Why here, or why not. */
   readonly sentence: string;
   readonly reasons: readonly Reason[];
+  /** What it loses most by to the best place, the dearest first. */
+  readonly costs: readonly Cost[];
+  /** The nearest pose that is allowed, or one that is better; null if there is none. */
+  readonly elsewhere: Elsewhere | null;
+}
+
+/** How far the search for what matters has come. */
+export interface Weighing {
+  readonly type: "weighing";
+  readonly id: string;
+  readonly done: number;
+  readonly total: number;
+}
+
+/** The box whose removal changes the best place most, and the place without it. */
+export interface Counterfactual {
+  readonly box: string;
+  /** null if there is no place without it. */
+  readonly center: readonly [number, number, number] | null;
+  readonly heading: number | null;
+  readonly text: string;
+  /** Metres between the best places with and without it. */
+  readonly moved: number;
+  /** Radians between them, 0 to π. */
+  readonly turned: number;
+  /** Nats, without it less with it. */
+  readonly score_change: number;
+}
+
+/** What matters most; nothing if no box alone changes the place. */
+export interface Matters {
+  readonly type: "matters";
+  readonly id: string;
+  readonly ask: string;
+  readonly revision: number;
+  readonly found: Counterfactual | null;
 }
 
 /** A box, a group or the room, as a node of the scene graph. */
@@ -345,6 +433,7 @@ export type ClientMessage =
   | RemoveBox
   | Ask
   | Inspect
+  | WhatMatters
   | WatchGraph
   | Ping;
 
@@ -354,6 +443,8 @@ export type ServerMessage =
   | Models
   | Answer
   | Inspected
+  | Weighing
+  | Matters
   | Graph
   | Problem
   | Pong;

@@ -3,9 +3,18 @@
  * ghost was dragged to (one at a time, the newest wins), and whether the graph is watched.
  */
 import type { Placing, Pose, State } from "../model/state";
-import type { Answer, Ask, Inspect, Inspected, Query, WatchGraph } from "./protocol.gen";
+import type {
+  Answer,
+  Ask,
+  Inspect,
+  Inspected,
+  ModelName,
+  Query,
+  WatchGraph,
+  WhatMatters,
+} from "./protocol.gen";
 
-export type Question = Ask | Inspect | WatchGraph;
+export type Question = Ask | Inspect | WhatMatters | WatchGraph;
 
 /** Alternatives that are asked for. */
 const COUNT = 5;
@@ -18,6 +27,8 @@ export interface Questions {
   readonly against: Answer | null;
   /** The inspection that is on its way. */
   readonly inspecting: string | null;
+  /** What is being found out about what matters most. */
+  readonly weighing: string | null;
   readonly watching: boolean;
   readonly nextInspection: number;
 }
@@ -28,6 +39,7 @@ export const NO_QUESTIONS: Questions = {
   pose: null,
   against: null,
   inspecting: null,
+  weighing: null,
   watching: false,
   nextInspection: 1,
 };
@@ -43,8 +55,16 @@ export function askedOf(questions: Questions, state: State): Asked {
   const messages: Question[] = [];
   let next = questions;
   if ((placing?.ask ?? null) !== next.ask) {
-    messages.push(askFor(placing, next.ask));
-    next = { ...next, ask: placing?.ask ?? null, pose: null, against: null, inspecting: null };
+    messages.push(askFor(state, next.ask));
+    const asked = { pose: null, against: null, inspecting: null, weighing: null };
+    next = { ...next, ...asked, ask: placing?.ask ?? null };
+  }
+  const weighing = openQuestion(placing);
+  if (weighing !== next.weighing) {
+    const over = placing?.weigh?.id === next.weighing;
+    if (weighing !== null) messages.push({ type: "what_matters", id: weighing, on: true });
+    else if (!over) messages.push({ type: "what_matters", id: next.weighing ?? "", on: false });
+    next = { ...next, weighing };
   }
   if (placing !== null && isToInspect(next, placing)) {
     const { pose, answer } = placing;
@@ -85,13 +105,19 @@ function isToInspect(
   return questions.inspecting === null && placing.pose !== questions.pose;
 }
 
-function askFor(placing: Placing | null, last: string | null): Ask {
+/** What the person wants to know of what matters, as long as it is not known. */
+function openQuestion(placing: Placing | null): string | null {
+  const weigh = placing?.weigh ?? null;
+  return weigh === null || weigh.result !== null ? null : weigh.id;
+}
+
+function askFor({ placing, model }: State, last: string | null): Ask {
   if (placing === null) return { type: "ask", id: last ?? "none", query: null };
-  return { type: "ask", id: placing.ask, query: queryOf(placing) };
+  return { type: "ask", id: placing.ask, query: queryOf(placing, model) };
 }
 
 /** The question of an object on its way. */
-export function queryOf(placing: Placing): Query {
-  const { category, wishedSize, item } = placing;
-  return { category, size: wishedSize, item, model: "paper", count: COUNT };
+export function queryOf(placing: Placing, model: ModelName): Query {
+  const { category, wishedSize, item, relaxed } = placing;
+  return { category, size: wishedSize, item, model, count: COUNT, relaxed };
 }

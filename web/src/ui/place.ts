@@ -4,9 +4,11 @@ import { shownRefusal } from "../model/ghost";
 import { usualSize } from "../model/labels";
 import type { Mode, Placing, State, Vector3 } from "../model/state";
 import { formatSize } from "../model/units";
+import type { ModelName } from "../net/protocol.gen";
 import { chips, placeable } from "./categories";
 import { button, lengthField, section } from "./controls";
 import { icon } from "./icons";
+import { wayOut } from "./instead";
 import type { Page } from "./page";
 import { places } from "./places";
 import { inSentence, isNow, oneOf } from "./words";
@@ -30,7 +32,7 @@ export function placePanel(page: Page): TemplateResult {
           if (name !== placing?.category) start(page, name, null, null);
         },
       )}
-      ${modeSwitch(page)}
+      ${modeSwitch(page)} ${modelSwitch(page)}
       ${placing === null ? nothing : html`${places(page, placing)} ${size(page, placing)} ${items(page, placing)}`}
     `,
     "place",
@@ -68,6 +70,33 @@ function modeSwitch({ state, local, services, dispatch, change }: Page): Templat
     <legend>Who finds the place?</legend>
     ${option("scenegen", "SceneGen", "finds the place")} ${option("manual", "Manual", "you find it")}
   </fieldset>`;
+}
+
+const MODELS: readonly (readonly [ModelName, string, string])[] = [
+  ["scenegen", "SceneGen", "looks at walls, windows and neighbors"],
+  ["paper", "The paper's model", "compares distances, as published"],
+];
+
+/** How SceneGen decides; nothing to choose by hand. */
+function modelSwitch({ state, local, dispatch }: Page): TemplateResult | typeof nothing {
+  if ((state.placing?.mode ?? local.mode) === "manual") return nothing;
+  const now = MODELS.find(([model]) => model === state.model)?.[1];
+  return html`<details class="more size">
+    <summary><span>How it decides</span><span class="quiet">${now}</span></summary>
+    <div class="switch" role="radiogroup" aria-label="How it decides">
+      ${MODELS.map(
+        ([model, name, words]) =>
+          html`<label class="option"
+            ><input
+              type="radio"
+              name="model"
+              .checked=${state.model === model}
+              @change=${() => dispatch({ type: "choose-model", model })}
+            /><span><b>${name}</b><small>${words}</small></span></label
+          >`,
+      )}
+    </div>
+  </details>`;
 }
 
 /** What can be done right after something was placed. */
@@ -149,13 +178,14 @@ function size({ state, dispatch }: Page, placing: Placing): TemplateResult {
 }
 
 /** The end of placing, always in reach below the panel. */
-export function decision({ state, local, dispatch }: Page): TemplateResult | typeof nothing {
+export function decision(page: Page): TemplateResult | typeof nothing {
+  const { state, local, dispatch } = page;
   const { placing } = state;
   // In the first minute the card asks; two ways to say the same would be one too many.
   if (placing === null || local.guide === "placing") return nothing;
   const refusal = shownRefusal(state);
   return html`<div class="decision">
-    ${refusal === null ? nothing : html`<p class="blocked">${icon("problem")} ${refusal}</p>`}
+    ${refusal === null ? nothing : html`<p class="blocked">${icon("problem")} ${refusal}</p>${wayOut(page)}`}
     <div class="row">
       ${button(
         {

@@ -2,7 +2,9 @@
 import { html, type TemplateResult } from "lit";
 import type { Placing } from "../model/state";
 import { icon } from "./icons";
+import { remedyOffer } from "./instead";
 import type { Page } from "./page";
+import { begun } from "./words";
 
 export function places(page: Page, placing: Placing): TemplateResult {
   if (placing.mode === "manual") {
@@ -17,6 +19,7 @@ export function places(page: Page, placing: Placing): TemplateResult {
     return html`<div class="no-place">
       ${noPlacePicture()}
       <p>${answer.no_good_place.text}</p>
+      ${remedyOffer(page, answer.no_good_place.remedy)}
       <p class="quiet">Or put it where you want it: choose Manual.</p>
     </div>`;
   }
@@ -29,7 +32,7 @@ export function places(page: Page, placing: Placing): TemplateResult {
           aria-pressed=${placing.alternative === placement.rank}
           @click=${() => page.dispatch({ type: "show-alternative", rank: placement.rank })}
         >
-          <kbd>${i + 1}</kbd><span title=${placement.sentence}>${placement.sentence}</span>
+          <kbd>${i + 1}</kbd><span><b>${begun(placement.name)}</b><small>${placement.sentence}</small></span>
         </button>
       </li>`,
     )}

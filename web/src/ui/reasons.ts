@@ -3,6 +3,8 @@ import { html, nothing, type TemplateResult } from "lit";
 import type { Placing } from "../model/state";
 import type { Reason } from "../net/protocol.gen";
 import { section } from "./controls";
+import { costs } from "./instead";
+import { mattersPart } from "./matters";
 import type { Page } from "./page";
 import { counted, ended, likelihoodInWords, reasonInWords, signed, strengthInWords } from "./words";
 
@@ -21,13 +23,14 @@ interface Verdict {
 export function reasonsPanel(page: Page): TemplateResult | typeof nothing {
   const { placing } = page.state;
   const verdict = placing === null ? null : verdictOf(placing);
-  if (verdict === null) return nothing;
+  if (placing === null || verdict === null) return nothing;
   const why = html`<p class="why">
         ${ended(verdict.sentence)}
         ${verdict.likelihood === null ? nothing : html`<small>A ${likelihoodInWords(verdict.likelihood)} place.</small>`}
       </p>
-      ${bars(page, verdict.reasons)} ${total(page, verdict)} ${rooms(verdict.rooms)}`;
-  return placing?.mode === "manual" ? onDemand(why) : section("Why here", why, "reasons");
+      ${bars(page, verdict.reasons)} ${total(page, verdict)} ${costs(page)}
+      ${rooms(verdict.rooms)} ${mattersPart(page, placing)}`;
+  return placing.mode === "manual" ? onDemand(why) : section("Why here", why, "reasons");
 }
 
 /** Who finds the place without help is told when asking. */

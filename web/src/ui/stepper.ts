@@ -5,7 +5,7 @@ import type { Placing } from "../model/state";
 import { iconButton } from "./controls";
 import type { Page } from "./page";
 import { verdictOf } from "./reasons";
-import { ended } from "./words";
+import { begun, ended } from "./words";
 
 export function stepper(page: Page, placing: Placing): TemplateResult {
   const places = placing.answer?.placements ?? [];
@@ -18,7 +18,7 @@ export function stepper(page: Page, placing: Placing): TemplateResult {
   return html`<div class="stepper phone-only" role="group" aria-label="Place after place">
     ${choosing ? iconButton({ icon: "before", label: "The place before", run: step(-1) }) : nothing}
     <p>
-      ${choosing ? html`<b>${at < 0 ? "Your own place" : `Place ${at + 1} of ${places.length}`}</b>` : nothing}
+      ${choosing ? html`<b>${at < 0 ? "Your own place" : `${at + 1} of ${places.length} · ${begun(places[at]?.name ?? "")}`}</b>` : nothing}
       ${ended(wordsOf(page, placing))}
     </p>
     ${choosing ? iconButton({ icon: "next", label: "The next place", run: step(1) }) : nothing}

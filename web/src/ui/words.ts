@@ -12,6 +12,16 @@ const RELATION_WORDS: Readonly<Record<string, string>> = {
   Facing: "Facing",
   NextTo: "Next to",
   BelongsTo: "Part of a group",
+  Walls: "Walls",
+  FreeSpace: "Room around it",
+  Middle: "Middle of the room",
+  Doors: "Doors",
+  Windows: "Windows",
+  Height: "Height",
+  Neighbor: "Neighbors",
+  Twin: "Another like it",
+  Mirror: "Pairs",
+  Agreement: "Known rooms",
 };
 
 const UNCOUNTED: readonly string[] = ["Decor", "Storage"];
@@ -29,6 +39,11 @@ export function oneOf(category: string): string {
 /** The sentence with its full stop. */
 export function ended(sentence: string): string {
   return sentence === "" || /[.!?]$/.test(sentence) ? sentence : `${sentence}.`;
+}
+
+/** With a capital first letter. */
+export function begun(words: string): string {
+  return words.charAt(0).toUpperCase() + words.slice(1);
 }
 
 /** What was placed where: "The sofa is now against the north wall, facing the TV." */

@@ -3,7 +3,7 @@ import type { Action, Point, State } from "../model/state";
 import { selectionOf } from "./chosen";
 import type { Gesture } from "./gesture";
 import type { Spot } from "./handle_spots";
-import type { Ray } from "./picking";
+import { meetFloor, type Ray } from "./picking";
 import { probeAt, targetAt } from "./targets";
 
 /** The actions of a tap, in order. */
@@ -20,7 +20,21 @@ export function tap(state: State, gesture: Gesture, ray: Ray): readonly Action[]
   }
   // What is selected can be dragged out of the way while something is placed.
   const select: Action = { type: "select", selection: selectionOf(target) };
-  return state.placing ? [select, { type: "probe", probe: probeAt(state, ray) }] : [select];
+  if (!state.placing) {
+    return [select];
+  }
+  const probe: Action = { type: "probe", probe: probeAt(state, ray) };
+  return target ? [select, probe] : [select, probe, ...whatAbout(state, ray)];
+}
+
+/** Why not here? The ghost goes where the bare floor is tapped, turned as it is. */
+function whatAbout({ placing, scene }: State, ray: Ray): readonly Action[] {
+  const at = meetFloor(ray, scene.room);
+  if (placing?.mode !== "scenegen" || !placing.pose || !at) {
+    return [];
+  }
+  const { center, heading } = placing.pose;
+  return [{ type: "drag-ghost", pose: { center: [at[0], at[1], center[2]], heading }, done: true }];
 }
 
 /** A corner of the old outline that is tapped, not dragged, is where a new outline begins. */
