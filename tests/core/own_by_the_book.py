@@ -7,6 +7,7 @@ that are equally near, the walls' and places' least turn counts, and the first b
 
 from __future__ import annotations
 
+import cmath
 from cmath import exp
 from collections.abc import Iterator, Sequence
 from math import cos, hypot, inf, nan, pi, sin, sqrt
@@ -75,9 +76,8 @@ def sight_of(box: Box, x: float, y: float, *, both_ways: bool) -> float:
 
 
 def phase(x: float, y: float) -> float:
-    from cmath import phase as of  # noqa: PLC0415 (beside its only use)
-
-    return of(complex(x, y))
+    """The direction of a vector, radians."""
+    return cmath.phase(complex(x, y))
 
 
 def turned(box: Box, heading: float, *, both_ways: bool) -> float:
@@ -280,7 +280,10 @@ def described(box: Box, scene: Scene, groups: tuple[Category, ...]) -> Described
     }
     for group in groups:
         members = [
-            o for o in others if (o.category if o.category in names else "Other") == group.name
+            other
+            for other in others
+            if other.category == group.name
+            or (group.name == "Other" and other.category not in names)
         ]
         found |= neighbor("N", group.name, box, members, groups)
     alike = [o for o in others if o.category == box.category and same_size(box, o)]

@@ -107,7 +107,7 @@ def test_every_relation_is_its_description_in_real_rooms(path: Path) -> None:
     assert [line for scene in rooms_of(path) for line in disagreements(scene, scene)] == []
 
 
-# --- drawn rooms: 5 m by 4 m, a door x 1..1.8 in the south wall, a window x 2..3 in the north one ---
+# --- drawn rooms: 5 m by 4 m, a door x 1..1.8 in the south wall, a window x 2..3 in the north ---
 
 SOFA = thing("Sofa", 2.5, 3.5, (0.9, 2.0, 0.8), heading=SOUTH)
 TELLY = thing("TV", 2.5, 0.25, (0.1, 1.0, 0.6), heading=NORTH, bottom=0.5)
@@ -170,7 +170,7 @@ LIVING = room(SOFA, TELLY, BOARD, TABLE, CHAIR, FAR_CHAIR, doors=(DOOR,), window
 def test_a_drawn_room_is_described_as_one_sees_it(
     box: str, column: tuple[str, str, str], value: float
 ) -> None:
-    assert measured(LIVING, LIVING[box])[column] == pytest.approx(value, abs=1e-9, nan_ok=True)
+    assert measured(LIVING, LIVING[box])[column] == pytest.approx(value, abs=SAME, nan_ok=True)
 
 
 def test_the_place_opposite_at_a_table_completes_a_pair() -> None:
