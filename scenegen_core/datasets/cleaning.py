@@ -13,7 +13,7 @@ from statistics import median
 from shapely import Polygon
 
 from scenegen_core.scene.geometry import footprints
-from scenegen_core.scene.model import Box, Scene
+from scenegen_core.scene.model import Box, Category, Scene
 
 ROOM_TYPES = (
     "library", "living room", "meeting room", "TV room", "bedroom", "rec room", "office",
@@ -50,6 +50,20 @@ class Reductions:
     """Rooms that are left."""
     boxes: int
     """Boxes that are left."""
+
+
+def recategorized(scene: Scene, categories: Iterable[Category]) -> Scene:
+    """The scene whose boxes of a further category's name, or with it as label, are of it."""
+    by_letters = {_letters(category.name): category.name for category in categories}
+    if not by_letters:
+        return scene
+    boxes = (
+        replace(box, category=found)
+        if (found := by_letters.get(_letters(box.label)) or by_letters.get(_letters(box.category)))
+        else box
+        for box in scene.boxes
+    )
+    return replace(scene, boxes=tuple(boxes))
 
 
 def clean(

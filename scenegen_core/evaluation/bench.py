@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Literal
@@ -53,10 +54,15 @@ class Bench:
     """One case, ready for every system and task."""
 
     def __init__(
-        self, case: Case, groups: tuple[Category, ...], lessons: tuple[Lesson, ...] = ()
+        self,
+        case: Case,
+        groups: tuple[Category, ...],
+        lessons: tuple[Lesson, ...] = (),
+        forest: Mapping[str, str] | None = None,
     ) -> None:
         self.case = case
         self.lessons = lessons
+        self.forest = forest or {}
         self.category = next(group for group in groups if group.name == case.box.category)
         self.around = Surroundings(case.scene, groups)
         self.space = Space.of(self.around)
@@ -99,7 +105,10 @@ class Bench:
             candidates.centers,
             np.full(len(first), self.case.box.heading),
         )
-        return self._table(turned, found.places[first], found.flush[first])
+        as_found = Proposals(
+            turned, found.mounts[first], found.cells[first], found.flush[first], found.grids
+        )
+        return self._table(turned, found.places[first], found.flush[first], as_found)
 
     @cached_property
     def orientation(self) -> Table:

@@ -19,7 +19,7 @@ from scenegen_core.evaluation.names import (
     title,
     with_unit,
 )
-from scenegen_core.evaluation.physical import PHYSICAL
+from scenegen_core.evaluation.physical import DECLINED, PHYSICAL
 from scenegen_core.evaluation.report_tables import Judged
 from scenegen_core.evaluation.summary import means
 from scenegen_core.evaluation.tables import Cell, Column, Row, Table, best_of_column, cell
@@ -110,17 +110,20 @@ def _by_source(
 def physical(judged: Judged) -> Table:
     """Shares of answers that break a hard fact; and of the true places."""
     rows = [
-        Row(title(name), tuple(Cell(tables["physical"][fact]) for fact in PHYSICAL))
+        Row(title(name), tuple(map(Cell, [*tables["physical"].values(), tables[DECLINED]])))
         for name, tables in judged.results["models"].items()
         if "physical" in tables
     ]
     truth = [Cell(float(np.mean([r.truth[fact] for r in judged.records]))) for fact in PHYSICAL]
-    rows.append(Row("Where it really stood", tuple(truth)))
-    columns = tuple(Column(FACTS[fact], "share", better="") for fact in PHYSICAL)
+    rows.append(Row("Where it really stood", (*truth, Cell(0.0))))
+    facts = (*PHYSICAL, DECLINED)
+    columns = tuple(Column(FACTS[fact], "share", better="") for fact in facts)
     note = (
         "Runs into something: footprints share more than 2 % of the smaller, and more than 1 cm of "
         "height; chairs at tables and rugs excepted. Leaves the room: more than 1 % of the "
         "footprint. Stands before a door: on the square inside it. Bars a way: a door, seat, bed "
-        "or storage that a walker 0.6 m wide reached is no longer reached."
+        "or storage that a walker 0.6 m wide reached is no longer reached. Where nothing is "
+        "possible the program says so and puts the object nowhere; distances are then to its best "
+        "guess."
     )
     return Table("physical", "Hard facts, share of answers", note, "system", columns, tuple(rows))

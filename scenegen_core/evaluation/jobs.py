@@ -11,8 +11,10 @@ import numpy as np
 from scenegen_core.errors import DataError
 from scenegen_core.evaluation.cases import Case, cases, folds
 from scenegen_core.evaluation.retrieval import Lesson, lessons_of
+from scenegen_core.evaluation.trees import Forest, grow
 from scenegen_core.knowledge.knowledge import MIN_EXAMPLES, CategoryKnowledge, Knowledge
 from scenegen_core.knowledge.learning import learn
+from scenegen_core.placement.choice_learning import gather, with_choices
 from scenegen_core.scene.model import Category, Scene, Symmetry
 
 MIN_ROOMS = 4  # fewer make no evaluation
@@ -28,14 +30,26 @@ class Job:
     cases: tuple[Case, ...]
     lessons: tuple[Lesson, ...]
     """The rooms that taught the knowledge, where they are at hand."""
+    forest: Forest
+    """The trees that the same choices grew; empty where none were."""
     left_out: dict[str, int]
     """Category -> cases not asked, since the knowledge has too few examples of it."""
 
 
 def cross_validated(
-    scenes: Sequence[Scene], groups: tuple[Category, ...], count: int, *, seed: int
+    scenes: Sequence[Scene],
+    groups: tuple[Category, ...],
+    count: int,
+    *,
+    seed: int,
+    choices: bool = True,
+    forest: bool = False,
 ) -> Iterator[Job]:
-    """A job a fold: its cases, and the knowledge of the other folds. DataError if too few homes."""
+    """A job a fold: its cases, and the knowledge of the other folds. DataError if too few homes.
+
+    Without ``choices`` only the model paper can be asked; learning is much faster. ``forest`` grows
+    trees too.
+    """
     _enough(scenes)
     parts = folds(scenes, count, rng=np.random.default_rng(seed))
     if min(map(len, parts)) < MIN_FOLD:
@@ -43,19 +57,43 @@ def cross_validated(
             f"{len(scenes)} rooms in {count} folds leave a fold of one room, which says nothing; "
             "give more rooms, or ask for fewer folds."
         )
+    chosen = [gather(part, groups) if choices else () for part in parts]
     for index, part in enumerate(parts):
         others = tuple(scene for other in parts if other is not part for scene in other)
-        yield _job(index, learn(others, groups), part, others)
+        teach = [one for i, some in enumerate(chosen) if i != index for one in some]
+        known = learn(others, groups)
+        known = with_choices(known, teach) if choices else known
+        yield _job(index, known, part, others, grow(teach) if forest else {})
 
 
-def held_out(scenes: Sequence[Scene], knowledge: Knowledge, lessons: tuple[Scene, ...] = ()) -> Job:
+def held_out(scenes: Sequence[Scene], knowledge: Knowledge) -> Job:
     """One job: all cases, asked with knowledge that was learned elsewhere."""
     _enough(scenes)
-    return _job(0, knowledge, scenes, lessons)
+    return _job(0, knowledge, scenes, (), {})
+
+
+def taught_by(
+    lessons: tuple[Scene, ...],
+    scenes: Sequence[Scene],
+    groups: tuple[Category, ...],
+    *,
+    choices: bool = True,
+    forest: bool = False,
+) -> Job:
+    """One job: all cases of the scenes, asked with what the lessons teach."""
+    _enough(scenes)
+    teach = gather(lessons, groups) if choices or forest else ()
+    known = learn(lessons, groups)
+    known = with_choices(known, teach) if choices else known
+    return _job(0, known, scenes, lessons, grow(teach) if forest else {})
 
 
 def _job(
-    fold: int, knowledge: Knowledge, scenes: Sequence[Scene], lessons: tuple[Scene, ...]
+    fold: int,
+    knowledge: Knowledge,
+    scenes: Sequence[Scene],
+    lessons: tuple[Scene, ...],
+    forest: Forest,
 ) -> Job:
     everything = cases(scenes, [group.name for group in knowledge.groups])
     known = {name for name, part in knowledge.categories.items() if _enough_examples(part)}
@@ -64,6 +102,7 @@ def _job(
         knowledge,
         tuple(case for case in everything if case.box.category in known),
         lessons_of(lessons),
+        forest,
         dict(Counter(c.box.category for c in everything if c.box.category not in known)),
     )
 

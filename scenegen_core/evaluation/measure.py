@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from scenegen_core.evaluation.bench import FORMS, Bench, Table, Task, spread
-from scenegen_core.evaluation.physical import physical
+from scenegen_core.evaluation.physical import DECLINED, PHYSICAL, physical
 from scenegen_core.evaluation.systems import System
 from scenegen_core.knowledge.knowledge import Knowledge
 from scenegen_core.placement.alternatives import APART, TIE, choose
@@ -27,6 +27,8 @@ class Picks:
     best: int
     five: Ints
     spread: Ints
+    offered: bool
+    """Would the program offer the best? Where it offers none, distances are to its best guess."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -53,7 +55,8 @@ def answer(
         scores[table.scored] = found + TIE * rng.random(len(found))
     else:
         scores = rng.random(len(table.candidates))
-    return Answer(task, bench, table, scores, _picks(system, bench, table, scores, rng))
+    picks = _picks(system, bench, table, scores, rng, as_offered=form == "joint" or system.expects)
+    return Answer(task, bench, table, scores, picks)
 
 
 def errors(found: Answer) -> Errors:
@@ -69,19 +72,29 @@ def errors(found: Answer) -> Errors:
     if form != "position" and has_front(bench):
         facts["angle"] = float(abs(wrapped(table.candidates.headings[picks.best] - truth.heading)))
     if found.task == "joint":
-        facts |= physical(bench, table.candidates.box(picks.best, "new"))
+        facts[DECLINED] = float(not picks.offered)
+        if picks.offered:
+            facts |= physical(bench, table.candidates.box(picks.best, "new"))
+        else:
+            facts |= dict.fromkeys(PHYSICAL, 0.0)
     return facts
 
 
 def _picks(
-    system: System, bench: Bench, table: Table, scores: Floats, rng: np.random.Generator
+    system: System,
+    bench: Bench,
+    table: Table,
+    scores: Floats,
+    rng: np.random.Generator,
+    *,
+    as_offered: bool,
 ) -> Picks:
-    """Best, best five, and five that differ; of proposals as the program offers them."""
+    """Best, best five, and five that differ; of proposals as the program would offer them."""
     order = np.argsort(-scores, kind="stable")
     _, first = np.unique(table.cells[order], return_index=True)
     five = order[np.sort(first)[:OFFERED]]
     differing = np.empty(0, dtype=np.int64)
-    if system.feasible and table.proposals is not None:
+    if as_offered and system.feasible and table.proposals is not None:
         differing = choose(
             table.proposals,
             scores,
@@ -89,10 +102,12 @@ def _picks(
             count=OFFERED,
             rng=rng,
             keep_going=lambda: None,
+            expects=system.expects,
         ).poses
+    offered = len(differing) > 0 or not system.feasible
     if not len(differing):
         differing = spread(table, scores, OFFERED, APART)
-    return Picks(int(differing[0]), five, differing)
+    return Picks(int(differing[0]), five, differing, offered)
 
 
 def has_front(bench: Bench) -> bool:

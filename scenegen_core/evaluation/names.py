@@ -16,6 +16,7 @@ ORIENTATION_SYSTEMS = {
 """The systems of the paper's Table 2: our name -> the paper's."""
 
 TITLES = {
+    "scenegen": "SceneGen, choices",
     "paper": "SceneGen as published, made sound",
     "random": "Random pose",
     "random_open": "Random possible pose",
@@ -23,6 +24,7 @@ TITLES = {
     "along_walls": "Along the walls",
     "away_from_wall": "Away from the nearest wall",
     "category_prior": "Relations to the room only",
+    "trees": "Gradient-boosted trees, same columns",
     "nearest_room": "As in the most similar room",
     "rules": "Hand-written rules",
     "oracle": "Best of the poses tried",
@@ -57,6 +59,7 @@ FACTS = {
     "outside": "leaves the room",
     "blocks_door": "stands before a door",
     "breaks_path": "bars a way",
+    "declined": "says: no good place",
 }
 
 

@@ -22,6 +22,8 @@ OUTSIDE = 0.01  # share of the footprint
 SLIVER = 1e-3  # square metres of a door's square that rounding may touch
 
 PHYSICAL = ("collides", "outside", "blocks_door", "breaks_path")
+DECLINED = "declined"
+"""1 where the program says that there is no good place: it then puts the object nowhere."""
 
 
 def physical(bench: Bench, box: Box) -> dict[str, float]:

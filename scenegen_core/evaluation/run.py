@@ -21,6 +21,7 @@ from scenegen_core.evaluation.physical import physical
 from scenegen_core.evaluation.records import Chances, Journal, Record
 from scenegen_core.evaluation.retrieval import Lesson
 from scenegen_core.evaluation.systems import SYSTEMS, System
+from scenegen_core.evaluation.trees import Forest
 from scenegen_core.knowledge.knowledge import Knowledge
 
 CASES_A_TASK = 8  # sent to a process at a time, with the knowledge
@@ -57,7 +58,7 @@ def run(
 def _asked(
     job: Job, missing: list[Case], systems: tuple[str, ...], seed: int, workers: int
 ) -> Iterator[Record]:
-    put = partial(_ask_named, job.knowledge, job.lessons, systems, seed, job.fold)
+    put = partial(_ask_named, job.knowledge, job.lessons, job.forest, systems, seed, job.fold)
     if workers == 1:
         yield from map(put, missing)
         return
@@ -77,6 +78,7 @@ def _asked(
 def _ask_named(
     knowledge: Knowledge,
     lessons: tuple[Lesson, ...],
+    forest: Forest,
     systems: tuple[str, ...],
     seed: int,
     fold: int,
@@ -84,7 +86,7 @@ def _ask_named(
 ) -> Record:
     """Ask by the names of the systems: names go to other processes, functions do not."""
     chosen = tuple(system for system in SYSTEMS if system.name in systems)
-    return ask(case, knowledge, chosen, lessons=lessons, seed=seed, fold=fold)
+    return ask(case, knowledge, chosen, lessons=lessons, forest=forest, seed=seed, fold=fold)
 
 
 def ask(
@@ -93,15 +95,20 @@ def ask(
     systems: Sequence[System],
     *,
     lessons: tuple[Lesson, ...] = (),
+    forest: Forest | None = None,
     seed: int,
     fold: int = 0,
 ) -> Record:
     """The errors of systems in one case; the same whichever process and whatever else is asked."""
-    questions = _questions(case, knowledge, lessons, seed)
+    questions = _questions(case, knowledge, lessons, forest or {}, seed)
     found: dict[str, dict[Task, Errors]] = {}
     said: dict[str, Chances] = {}
     for system in systems:
         if system.needs_lessons and not lessons:
+            continue
+        if system.needs_forest and case.box.category not in (forest or {}):
+            continue
+        if system.needs_choices and case.box.category not in knowledge.choices:
             continue
         found[system.name] = {}
         for task, bench in questions.items():
@@ -125,17 +132,17 @@ def ask(
 
 
 def _questions(
-    case: Case, knowledge: Knowledge, lessons: tuple[Lesson, ...], seed: int
+    case: Case, knowledge: Knowledge, lessons: tuple[Lesson, ...], forest: Forest, seed: int
 ) -> dict[Task, Bench]:
     """The tasks of a case. Emptier rooms are asked of a share of the cases, both or none."""
-    bench = Bench(case, knowledge.groups, lessons)
+    bench = Bench(case, knowledge.groups, lessons, forest)
     questions: dict[Task, Bench] = {"position": bench, "joint": bench}
     if has_front(bench):
         questions["orientation"] = bench
     if _rng(seed, case.key, "emptier").random() < EMPTIER_SHARE:
         names = [group.name for group in knowledge.groups]
         for task, one in zip(EMPTIER, emptier(case, len(EMPTIER), names), strict=False):
-            questions[task] = Bench(one, knowledge.groups, lessons)
+            questions[task] = Bench(one, knowledge.groups, lessons, forest)
     return questions
 
 

@@ -10,7 +10,7 @@ import numpy as np
 from scenegen_core.evaluation.bench import FORMS, Task
 from scenegen_core.evaluation.bootstrap import interval
 from scenegen_core.evaluation.calibration import calibration
-from scenegen_core.evaluation.physical import PHYSICAL
+from scenegen_core.evaluation.physical import DECLINED, PHYSICAL
 from scenegen_core.evaluation.records import Record
 
 MEASURES = ("top1", "top5", "spread5", "angle")
@@ -45,6 +45,7 @@ def _model(records: Sequence[Record], name: str, rng: np.random.Generator) -> di
         tables["physical"] = {
             fact: float(np.mean([errors[fact] for errors in facts])) for fact in PHYSICAL
         }
+        tables[DECLINED] = float(np.mean([errors[DECLINED] for errors in facts]))
     said = [record for record in records if name in record.chances]
     if said:
         categories = sorted({record.category for record in said})

@@ -10,6 +10,7 @@ from typing import get_args
 import numpy as np
 
 from scenegen_core.evaluation.bench import Bench, Form, Table
+from scenegen_core.evaluation.trees import trees
 from scenegen_core.evaluation.yardsticks import (
     along_walls,
     anywhere,
@@ -20,6 +21,7 @@ from scenegen_core.evaluation.yardsticks import (
     rules,
 )
 from scenegen_core.knowledge.knowledge import Knowledge
+from scenegen_core.placement.choice_model import ChoiceModel
 from scenegen_core.placement.paper_model import PaperModel
 from scenegen_core.scene.geometry import Floats
 
@@ -42,6 +44,12 @@ class System:
 
     Then the report shows how right they are.
     """
+    needs_forest: bool = False
+    """Does it ask trees that were grown for the purpose?"""
+    needs_choices: bool = False
+    """Does it ask what is chosen? Of categories with too few examples nothing is known of that."""
+    expects: bool = False
+    """Does it offer by expected distance? Then its scores are probabilities too."""
 
 
 def _paper(position: tuple[str, ...], orientation: tuple[str, ...], part: str) -> Score:
@@ -57,6 +65,15 @@ def _paper(position: tuple[str, ...], orientation: tuple[str, ...], part: str) -
     return score
 
 
+@lru_cache(maxsize=64)
+def _choice_model(knowledge: Knowledge, category: str) -> ChoiceModel:
+    return ChoiceModel(knowledge, category)
+
+
+def _choice(bench: Bench, table: Table, knowledge: Knowledge, _: np.random.Generator) -> Floats:
+    return _choice_model(knowledge, bench.category.name).total(table.situation)
+
+
 def _position(*relations: str) -> Mapping[Form, Score]:
     return {"position": _paper(relations, ("F", "TC", "RP"), "position")}
 
@@ -64,6 +81,15 @@ def _position(*relations: str) -> Mapping[Form, Score]:
 def _orientation(*relations: str) -> Mapping[Form, Score]:
     return {"orientation": _paper(("RP",), relations, "orientation")}
 
+
+SCENEGEN = System(
+    "scenegen",
+    dict.fromkeys(get_args(Form), _choice),
+    probabilities=True,
+    needs_choices=True,
+    expects=True,
+)
+"""Our model: one score for position and heading together, whatever is asked."""
 
 PAPER = System(
     "paper",
@@ -97,8 +123,10 @@ YARDSTICKS: tuple[System, ...] = (
                               "orientation": _paper(("RP",), ("TC", "RP"), "orientation"),
                               "joint": _paper(("RP",), ("TC", "RP"), "total")}),
     System("nearest_room", dict.fromkeys(get_args(Form), nearest_room), needs_lessons=True),
+    System("trees", dict.fromkeys(get_args(Form), trees), probabilities=True, needs_forest=True,
+           expects=True),
     System("rules", dict.fromkeys(get_args(Form), rules)),
     System("oracle", dict.fromkeys(get_args(Form), oracle)),
 )  # fmt: skip
 
-SYSTEMS: tuple[System, ...] = (PAPER, *ABLATIONS, *YARDSTICKS)
+SYSTEMS: tuple[System, ...] = (SCENEGEN, PAPER, *ABLATIONS, *YARDSTICKS)

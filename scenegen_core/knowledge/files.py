@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 
 from scenegen_core.errors import KnowledgeError
 from scenegen_core.graph.relations import Column
-from scenegen_core.knowledge.choice import BINS, Choice, choice_columns
+from scenegen_core.knowledge.choice import BINS, Choice, Table, choice_columns
 from scenegen_core.knowledge.knowledge import SETTINGS, CategoryKnowledge, Knowledge
 from scenegen_core.knowledge.sources import Source
 from scenegen_core.scene.model import Category
@@ -27,6 +27,8 @@ ARRAYS = ("rows", "rooms", "front_known", "sizes", "bottoms", "weights")
 """The arrays of a category; ``rooms`` holds indices into the header's rooms."""
 TABLES = ("curves", "pairs", "surfaces", "examples")
 """The arrays of a choice, beside the indices of the rooms of its examples."""
+KINDS = {"curves": "f", "pairs": "i", "surfaces": "f", "examples": "u", "rooms": "i"}
+"""What kind of numbers they hold: compiled loops trust them as indices."""
 
 BROKEN = (
     ValueError, TypeError, KeyError, IndexError, EOFError, zipfile.BadZipFile, zlib.error,
@@ -123,7 +125,7 @@ def _read(file: IO[bytes], name: str) -> Knowledge:
             header = _header(archive["header"].tobytes(), name)
             parts = [_category(archive, header, i) for i in range(len(header.categories))]
             choices = [_choice(archive, header, i) for i in range(len(header.choices))]
-            shared = archive["shared"] if header.choices else None
+            shared = _shared(archive, header) if header.choices else None
     except BROKEN as error:
         raise KnowledgeError(f"The knowledge file {name} is broken; {LEARN_AGAIN}.") from error
     return Knowledge(
@@ -181,6 +183,14 @@ def _category(archive: NpzFile, header: _Header, number: int) -> CategoryKnowled
     )
 
 
+def _shared(archive: NpzFile, header: _Header) -> Table:
+    """What all categories have in common; one of BROKEN if it does not fit the groups."""
+    curves = archive["shared"]
+    if curves.shape != (len(choice_columns(header.groups)), BINS) or not np.isfinite(curves).all():
+        raise ValueError(curves.shape)
+    return curves
+
+
 def _choice(archive: NpzFile, header: _Header, number: int) -> Choice:
     """What is chosen of one category; one of BROKEN if its arrays do not fit together."""
     arrays = {name: archive[f"choice.{number}.{name}"] for name in (*TABLES, "rooms")}
@@ -194,10 +204,13 @@ def _choice(archive: NpzFile, header: _Header, number: int) -> Choice:
         "rooms": (examples,),
     }
     shapes = {name: array.shape for name, array in arrays.items()}
-    finite = np.isfinite(arrays["curves"]).all() and np.isfinite(arrays["surfaces"]).all()
-    within = (arrays["pairs"] < len(named)).all() and (arrays["examples"] < BINS).all()
-    if shapes != expected or not finite or not within:
+    kinds = {name: array.dtype.kind for name, array in arrays.items()}
+    if shapes != expected or kinds != KINDS:
         raise ValueError(shapes)
+    finite = np.isfinite(arrays["curves"]).all() and np.isfinite(arrays["surfaces"]).all()
+    known = (arrays["pairs"] >= 0).all() and (arrays["pairs"] < len(named)).all()
+    if not (finite and known and (arrays["examples"] < BINS).all()):
+        raise ValueError(number)
     return Choice(
         columns=named,
         curves=arrays["curves"],

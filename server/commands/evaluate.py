@@ -19,13 +19,21 @@ from scenegen_core.datasets.formats import read_all
 from scenegen_core.datasets.remarks import Skipped, UnknownLabel
 from scenegen_core.errors import DataError
 from scenegen_core.evaluation.drawing import need_drawing
-from scenegen_core.evaluation.jobs import Job, cross_validated, held_out, left_out, taught
+from scenegen_core.evaluation.jobs import (
+    Job,
+    cross_validated,
+    held_out,
+    left_out,
+    taught,
+    taught_by,
+)
 from scenegen_core.evaluation.records import Journal, Record, Settings
 from scenegen_core.evaluation.report import write_report
 from scenegen_core.evaluation.run import run as run_jobs
 from scenegen_core.evaluation.summary import MEASURES, summarize
 from scenegen_core.evaluation.systems import SYSTEMS
-from scenegen_core.knowledge import default_knowledge, learn, load_knowledge
+from scenegen_core.evaluation.trees import can_grow
+from scenegen_core.knowledge import default_knowledge, load_knowledge
 from scenegen_core.scene.model import PAPER_CATEGORIES, Scene
 from server.commands.progress import Meter
 
@@ -79,10 +87,8 @@ def run(arguments: Namespace) -> int:
     if arguments.out:
         need_drawing()  # now, not after the long run
     judged = _scenes(arguments.test or arguments.data)
-    jobs = _jobs(arguments, judged)
-    systems = tuple(
-        system.name for system in SYSTEMS if system.name in (arguments.model or [system.name])
-    )
+    systems = _systems(arguments)
+    jobs = _jobs(arguments, judged, systems)
     settings = _settings(arguments, systems, judged, jobs)
     if settings.taught:
         print(
@@ -106,7 +112,20 @@ def run(arguments: Namespace) -> int:
     return 0
 
 
+def _systems(arguments: Namespace) -> tuple[str, ...]:
+    """The systems to ask: those named, or all that can be had."""
+    if arguments.model:
+        return tuple(system.name for system in SYSTEMS if system.name in arguments.model)
+    return tuple(system.name for system in SYSTEMS if can_grow() or not system.needs_forest)
+
+
 def _check(arguments: Namespace) -> None:
+    forested = [s.name for s in SYSTEMS if s.needs_forest and s.name in (arguments.model or [])]
+    if forested and not can_grow():
+        raise DataError(
+            "Trees need the package lightgbm; install scenegen with its extra: "
+            "pip install 'scenegen[trees]'."
+        )
     if not (arguments.data or arguments.test):
         raise DataError(
             "Name rooms to judge in folds (scenegen evaluate DATA…), or rooms to judge what "
@@ -150,16 +169,26 @@ def _scenes(paths: list[Path]) -> tuple[Scene, ...]:
     return scenes
 
 
-def _jobs(arguments: Namespace, judged: tuple[Scene, ...]) -> list[Job]:
+def _jobs(arguments: Namespace, judged: tuple[Scene, ...], systems: tuple[str, ...]) -> list[Job]:
+    asked = [system for system in SYSTEMS if system.name in systems]
+    choices = any(system.needs_choices for system in asked)
+    forest = any(system.needs_forest for system in asked)
     if not arguments.test:
         jobs = []
-        for job in cross_validated(judged, PAPER_CATEGORIES, arguments.folds, seed=arguments.seed):
+        for job in cross_validated(
+            judged,
+            PAPER_CATEGORIES,
+            arguments.folds,
+            seed=arguments.seed,
+            choices=choices,
+            forest=forest,
+        ):
             jobs.append(job)
             print(f"learned for fold {len(jobs)} of {arguments.folds}", file=sys.stderr)
         return jobs
     if arguments.data:
         lessons = _scenes(arguments.data)
-        return [held_out(judged, learn(lessons, PAPER_CATEGORIES), lessons)]
+        return [taught_by(lessons, judged, PAPER_CATEGORIES, choices=choices, forest=forest)]
     known = load_knowledge(arguments.knowledge) if arguments.knowledge else default_knowledge()
     return [held_out(judged, known)]
 

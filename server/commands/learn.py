@@ -9,16 +9,25 @@ from contextlib import AbstractContextManager, nullcontext
 from dataclasses import asdict
 from pathlib import Path
 
-from scenegen_core.datasets.cleaning import ROOM_TYPES, Reductions, clean
+from scenegen_core.datasets.cleaning import ROOM_TYPES, Reductions, clean, recategorized
 from scenegen_core.datasets.remarks import Remark, Skipped
 from scenegen_core.errors import DataError
-from scenegen_core.knowledge import Knowledge, learn, save_knowledge
+from scenegen_core.knowledge import (
+    Knowledge,
+    default_knowledge,
+    learn,
+    load_knowledge,
+    save_knowledge,
+)
+from scenegen_core.knowledge.growing import together, with_groups
 from scenegen_core.knowledge.learning import Mapper
-from scenegen_core.scene.model import PAPER_CATEGORIES, Scene
+from scenegen_core.placement.choice_learning import gather, with_choices
+from scenegen_core.scene.model import PAPER_CATEGORIES, Category, Scene, Symmetry
 from server.commands.progress import Meter
 from server.commands.rooms import read_rooms
 
 MAX_WEIGHT = 1e6
+SHIPPED = "shipped"  # --on: what ships with the program
 
 
 def add_arguments(parser: ArgumentParser) -> None:
@@ -45,6 +54,23 @@ def add_arguments(parser: ArgumentParser) -> None:
         help="the types of rooms to learn from (the paper's eleven; rooms without a type count)",
     )
     parser.add_argument(
+        "--on",
+        metavar="FILE",
+        help="knowledge to go on from: its own is kept; 'shipped' is what ships with the program",
+    )
+    parser.add_argument(
+        "--category",
+        action="append",
+        default=[],
+        type=category,
+        metavar="NAME[:SYMMETRY]",
+        help="a further category: what has that category or label; asymmetric, symmetric (no "
+        "front) or inside facing (its back to a wall); again for more",
+    )
+    parser.add_argument(
+        "--without-choices", action="store_true", help="learn for the model paper only: faster"
+    )
+    parser.add_argument(
         "--dask", metavar="ADDRESS", help="measure on a dask scheduler; 'local' starts one here"
     )
     parser.add_argument("--workers", type=int, default=2, help="processes, with --dask local (2)")
@@ -64,26 +90,64 @@ def weight(text: str) -> tuple[str, float]:
     return source, value
 
 
+def category(text: str) -> Category:
+    """A category and whether it has a front: "Piano", "Rug:symmetric"."""
+    name, _, symmetry = text.partition(":")
+    try:
+        return Category(name.strip(), Symmetry(symmetry.strip() or Symmetry.ASYMMETRIC))
+    except ValueError:
+        ways = ", ".join(way.value for way in Symmetry)
+        raise ArgumentTypeError(f"{text!r}: after the colon write one of {ways}") from None
+
+
 def run(arguments: Namespace) -> int:
     """Read, clean, learn, save, and say what came of it."""
+    before = _before(arguments)
+    groups = before.groups if before else (*PAPER_CATEGORIES, *arguments.category)
     rooms, remarks = read_rooms(arguments.data)
-    scenes, reductions = clean(rooms, room_types=arguments.room_types)
+    named = [recategorized(room, arguments.category) for room in rooms]
+    scenes, reductions = clean(named, room_types=arguments.room_types)
     weights = dict(arguments.weight)
     _check_sources(weights, scenes)
     meter = Meter("rooms")
     with _mapper(arguments) as mapper:
         knowledge = learn(
             scenes,
-            PAPER_CATEGORIES,
+            groups,
             made_with=" ".join(["scenegen learn", *(path.name for path in arguments.data)]),
             weights=weights,
             mapper=mapper,
             progress=lambda done: meter.show(done, len(scenes)),
         )
-    meter.end()
+        meter.end()
+        if not arguments.without_choices:
+            meter = Meter("rooms chosen in")
+            chosen = gather(
+                scenes,
+                knowledge.groups,
+                mapper=mapper,
+                progress=lambda done: meter.show(done, len(scenes)),
+            )
+            meter.end()
+            knowledge = with_choices(
+                together(before, knowledge) if before else knowledge,
+                chosen,
+                weights=weights,
+                before=before,
+            )
+        elif before:
+            knowledge = together(before, knowledge)
     save_knowledge(knowledge, arguments.out)
     sys.stdout.write("\n".join(_summary(knowledge, reductions, remarks, arguments.out)) + "\n")
     return 0
+
+
+def _before(arguments: Namespace) -> Knowledge | None:
+    """The knowledge to go on from, with the further categories."""
+    if arguments.on is None:
+        return None
+    known = default_knowledge() if arguments.on == SHIPPED else load_knowledge(Path(arguments.on))
+    return with_groups(known, tuple(arguments.category))
 
 
 def _mapper(arguments: Namespace) -> AbstractContextManager[Mapper]:

@@ -68,7 +68,7 @@ def test_the_printed_object_has_the_published_form(
     assert set(found["models"]) == {"paper", "random_open"}
     assert set(found["models"]["paper"].pop("calibration")) == {"overall", "Bed", "Storage"}
     for model in found["models"].values():
-        assert set(model) == {*TASKS, "physical"}
+        assert set(model) == {*TASKS, "physical", "declined"}
         assert set(model["physical"]) == {"collides", "outside", "blocks_door", "breaks_path"}
         for task, measures in TASKS.items():
             assert next(iter(model[task])) == "overall"

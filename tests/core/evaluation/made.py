@@ -6,7 +6,7 @@ from scenegen_core.evaluation.bench import Task
 from scenegen_core.evaluation.records import Chances, Record, Settings
 from scenegen_core.scene.model import Box, Room, Scene
 
-FINE = {"collides": 0.0, "outside": 0.0, "blocks_door": 0.0, "breaks_path": 0.0}
+FINE = {"collides": 0.0, "outside": 0.0, "blocks_door": 0.0, "breaks_path": 0.0, "declined": 0.0}
 
 
 def record(

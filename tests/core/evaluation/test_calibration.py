@@ -42,7 +42,7 @@ def said(truth: tuple[float, float], bottom: float, poses: list[Pose], *offered:
     )
     with np.errstate(divide="ignore"):
         scores = np.log(shares) + 70.0  # a constant of the room says nothing
-    picks = Picks(offered[0], np.array(offered), np.array(offered))
+    picks = Picks(offered[0], np.array(offered), np.array(offered), offered=True)
     return chances(Answer("joint", bench, table, scores, picks))
 
 
