@@ -436,7 +436,7 @@ def test_the_socket_may_die_at_every_moment_and_nothing_is_lost(
         session = phone.page.evaluate("localStorage.getItem('scenegen.session')")
         mine = phone.saved()
     with desk_at(browser, f"{server_url}/?session={session}") as other:
-        joined = other.wait_for_saved(lambda scene: scene["id"] == mine["id"])
+        joined = other.wait_for_saved(lambda scene: bool(scene and scene["id"] == mine["id"]))
     assert len(mine["boxes"]) == 2
     assert joined == mine
 
