@@ -138,7 +138,7 @@ class _Boosting:
         return (share - self._chosen) * self._weights, share * (1 - share) * self._weights
 
     def _some_columns(self) -> Ints:
-        count = max(1, round(SHARE * len(self._usable)))
+        count = min(len(self._usable), max(1, round(SHARE * len(self._usable))))
         return np.sort(self._rng.choice(self._usable, count, replace=False))
 
     def _trial_tree(self, gains: defaultdict[tuple[int, int], float]) -> None:
