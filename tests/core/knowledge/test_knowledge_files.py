@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Callable
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -12,6 +13,7 @@ import pytest
 from numpy.typing import NDArray
 
 from scenegen_core.errors import KnowledgeError
+from scenegen_core.knowledge.choice import BINS, Choice, choice_columns
 from scenegen_core.knowledge.files import default_knowledge, load_knowledge, save_knowledge
 from scenegen_core.knowledge.knowledge import Knowledge
 from scenegen_core.knowledge.learning import learn
@@ -37,6 +39,34 @@ def knowledge() -> Knowledge:
         for i in range(6)
     ]
     return learn(scenes, PAPER_CATEGORIES, made_with="a test")
+
+
+def choice_of(knowledge: Knowledge, seed: int) -> Choice:
+    """A choice of numbers by chance."""
+    rng = np.random.default_rng(seed)
+    named = choice_columns(knowledge.groups)
+    return Choice(
+        columns=named,
+        curves=rng.normal(size=(len(named), BINS)).astype(np.float32),
+        pairs=rng.integers(len(named), size=(3, 2)),
+        surfaces=rng.normal(size=(3, BINS, BINS)).astype(np.float32),
+        examples=rng.integers(BINS, size=(2, len(named))).astype(np.uint8),
+        rooms=("home/3", "elsewhere"),
+    )
+
+
+@pytest.fixture
+def with_choices(knowledge: Knowledge) -> Knowledge:
+    """The same with choices of the TV alone."""
+    choice = choice_of(knowledge, 1)
+    return replace(knowledge, choices={"TV": choice}, shared=choice_of(knowledge, 2).curves)
+
+
+@pytest.fixture
+def path_of_choices(tmp_path: Path, with_choices: Knowledge) -> Path:
+    path = tmp_path / "choices.npz"
+    save_knowledge(with_choices, path)
+    return path
 
 
 @pytest.fixture
@@ -79,6 +109,26 @@ def test_what_is_saved_comes_back(path: Path, knowledge: Knowledge) -> None:
         np.testing.assert_array_equal(after.bottoms, before.bottoms)
 
 
+def test_choices_that_are_saved_come_back(path_of_choices: Path, with_choices: Knowledge) -> None:
+    loaded = load_knowledge(path_of_choices)
+    assert list(loaded.choices) == ["TV"]
+    before, after = with_choices.choice("TV"), loaded.choice("TV")
+    assert after.columns == before.columns
+    assert after.rooms == before.rooms
+    for name in ("curves", "pairs", "surfaces", "examples"):
+        np.testing.assert_array_equal(getattr(after, name), getattr(before, name))
+        assert getattr(after, name).dtype == getattr(before, name).dtype
+    np.testing.assert_array_equal(loaded.shared, with_choices.shared)
+
+
+def test_knowledge_without_choices_comes_back_without(path: Path) -> None:
+    loaded = load_knowledge(path)
+    assert loaded.choices == {}
+    assert loaded.shared is None
+    with pytest.raises(KnowledgeError, match=r"too few examples of Bed .* ask the model paper"):
+        loaded.choice("Bed")
+
+
 def test_loaded_knowledge_gives_the_same_densities(path: Path, knowledge: Knowledge) -> None:
     before, after = (each["Bed"].position().density for each in (knowledge, load_knowledge(path)))
     np.testing.assert_array_equal(
@@ -86,10 +136,13 @@ def test_loaded_knowledge_gives_the_same_densities(path: Path, knowledge: Knowle
     )
 
 
-def test_the_same_knowledge_gives_the_same_bytes(path: Path, tmp_path: Path) -> None:
+def test_the_same_knowledge_gives_the_same_bytes(
+    path: Path, path_of_choices: Path, tmp_path: Path
+) -> None:
     again = tmp_path / "again.npz"
-    save_knowledge(load_knowledge(path), again)
-    assert again.read_bytes() == path.read_bytes()
+    for one in (path, path_of_choices):
+        save_knowledge(load_knowledge(one), again)
+        assert again.read_bytes() == one.read_bytes()
 
 
 def test_a_place_that_cannot_be_written_is_named(tmp_path: Path, knowledge: Knowledge) -> None:
@@ -174,6 +227,39 @@ def test_arrays_that_do_not_fit_are_refused(path: Path, edit: Callable[[Arrays],
     change(path, edit)
     with pytest.raises(KnowledgeError, match="is broken"):
         load_knowledge(path)
+
+
+COLUMNS = len(choice_columns(PAPER_CATEGORIES))
+
+
+@pytest.mark.parametrize(
+    "edit",
+    [
+        forget("shared"),
+        forget("choice.0.curves"),
+        forget("choice.0.rooms"),
+        put("shared", np.zeros((3, BINS))),
+        put("shared", np.full((COLUMNS, BINS), np.inf)),
+        put("choice.0.curves", np.zeros((COLUMNS, BINS - 1), dtype=np.float32)),
+        put("choice.0.curves", np.full((COLUMNS, BINS), np.nan, dtype=np.float32)),
+        put("choice.0.curves", np.full((COLUMNS, BINS), "a")),
+        put("choice.0.pairs", np.array([[0, 1], [1, 2], [2, COLUMNS]])),
+        put("choice.0.pairs", np.array([[0, 1], [1, 2], [2, -1]])),
+        put("choice.0.pairs", np.array([[0, 1], [1, 2]])),
+        put("choice.0.pairs", np.array([[0, 1], [1, 2], [2.0, 3.0]])),
+        put("choice.0.surfaces", np.zeros((3, BINS, BINS), dtype=bool)),
+        put("choice.0.examples", np.full((2, COLUMNS), BINS, dtype=np.uint8)),
+        put("choice.0.examples", np.full((2, COLUMNS), -1, dtype=np.int8)),
+        put("choice.0.rooms", [0, 99]),
+        put("choice.0.rooms", [0]),
+    ],
+)
+def test_choices_that_do_not_fit_are_refused(
+    path_of_choices: Path, edit: Callable[[Arrays], None]
+) -> None:
+    change(path_of_choices, edit)
+    with pytest.raises(KnowledgeError, match="is broken"):
+        load_knowledge(path_of_choices)
 
 
 def test_a_category_that_is_no_group_is_refused(path: Path) -> None:
