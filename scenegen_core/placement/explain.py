@@ -15,6 +15,7 @@ from scenegen_core.graph.surroundings import Surroundings
 from scenegen_core.placement.answer import Reason
 from scenegen_core.placement.models import PlacementModel
 from scenegen_core.placement.reasons import reason_text
+from scenegen_core.scene.model import Symmetry
 
 REFERENCES = 500  # poses that stand for all possible ones of a room
 ROOMS_NAMED = 3
@@ -42,6 +43,10 @@ class Explainer:
             group.name: [around.scene.boxes[i] for i in np.flatnonzero(around.group_of == index)]
             for index, group in enumerate(around.groups)
         }
+        self._fronted = not any(
+            group.name == possible.category and group.symmetry is Symmetry.SYMMETRIC
+            for group in around.groups
+        )
         step = max(1, len(possible) // REFERENCES)
         reference = model.parts(Situation(possible[::step], around))
         self._average = dict(zip(reference.subjects, reference.values.mean(axis=0), strict=True))
@@ -64,4 +69,5 @@ class Explainer:
         return Explanation(score, tuple(reasons), self._model.rooms(situation)[:ROOMS_NAMED])
 
     def _text(self, relation: str, group: str, measured: Mapping[str, float]) -> str:
-        return reason_text(relation, group, measured, self._members.get(group, []))
+        members = self._members.get(group, [])
+        return reason_text(relation, group, measured, members, fronted=self._fronted)

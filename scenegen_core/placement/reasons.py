@@ -22,18 +22,24 @@ NONE = {
 
 
 def reason_text(
-    relation: str, group: str, measured: Mapping[str, float], members: Sequence[Box]
+    relation: str,
+    group: str,
+    measured: Mapping[str, float],
+    members: Sequence[Box],
+    *,
+    fronted: bool = True,
 ) -> str:
     """What a relation says of a group with ``members``, or of a part; ``measured`` by its parts.
 
-    A group's only member goes by its own label, if it has one.
+    A group's only member goes by its own label, if it has one. What is not ``fronted`` has neither
+    front nor back to speak of.
     """
     if relation == AGREEMENT:
         return "how many known rooms agree"
     if relation in TEXTS:
-        return TEXTS[relation](measured)
+        return TEXTS[relation](measured, fronted=fronted)
     if relation == "N":
-        return neighbor(group, measured, members)
+        return neighbor(group, measured, members, fronted=fronted)
     return _paper_text(relation, group, measured[""], members)
 
 

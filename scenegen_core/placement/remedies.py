@@ -38,7 +38,7 @@ def find_remedy(
     living without a rule of comfort.
     """
     size = query.size or knowledge[query.category].usual_size
-    asked = replace(query, size=size, count=1)
+    asked = replace(query, size=size)
     for change in (*_sizes(size), *_boxes(scene), *_rules(asked)):
         if cancelled():
             raise Cancelled
@@ -47,7 +47,9 @@ def find_remedy(
         changed = replace(asked, size=change.size or size, relaxed=rules)
         if not _may_fit(without, changed, knowledge):
             continue
-        for best in solve(without, changed, knowledge, cancelled=cancelled).answer.poses:
+        answer = solve(without, changed, knowledge, cancelled=cancelled).answer
+        if answer.poses:
+            best = answer.poses[0]
             return replace(change, center=best.center, heading=best.heading)
     return None
 
