@@ -68,7 +68,7 @@ def _choice(
     chosen = _nearest(proposals, box, category, around, space)
     if chosen is None:
         return None
-    others, weights = _alternatives(proposals, around, space, _rng(scene, box))
+    others, weights = _alternatives(proposals, chosen, around, space, rng=_rng(scene, box))
     rows = np.concatenate([[chosen], others])
     features = measure(OWN_RELATIONS, Situation(proposals.candidates[rows], around))
     return ChoiceSet(
@@ -106,12 +106,17 @@ def _turns(headings: Floats, box: Box, category: Category) -> Floats:
 
 
 def _alternatives(
-    proposals: Proposals, around: Surroundings, space: Space, rng: np.random.Generator
+    proposals: Proposals,
+    chosen: int,
+    around: Surroundings,
+    space: Space,
+    *,
+    rng: np.random.Generator,
 ) -> tuple[Ints, Floats]:
-    """Some possible proposals, free and flush ones apart, and how many each stands for."""
+    """Some other possible proposals, free and flush ones, and how many each stands for."""
     rows, weights = [], []
     for which, tried, kept in zip((~proposals.flush, proposals.flush), TRIED, KEPT, strict=True):
-        everyone = np.flatnonzero(which)
+        everyone = np.setdiff1d(np.flatnonzero(which), [chosen])
         some = rng.choice(everyone, min(tried, len(everyone)), replace=False)
         possible = some[_possible(proposals, some, around, space)]
         share = len(possible) / max(len(some), 1)

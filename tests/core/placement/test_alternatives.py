@@ -57,11 +57,12 @@ def offered(
         keep_going=lambda: None,
         expects=expects,
     )
-    return proposals.candidates.centers[chosen.poses, 0].tolist()
+    found: list[float] = proposals.candidates.centers[chosen.poses, 0].tolist()
+    return found
 
 
 def logs(*masses: float) -> Floats:
-    return np.log(np.array(masses))
+    return np.asarray(np.log(masses), dtype=np.float64)
 
 
 @pytest.mark.parametrize(
