@@ -21,6 +21,7 @@ from scenegen_core.knowledge import (
 )
 from scenegen_core.knowledge.growing import together, with_groups
 from scenegen_core.knowledge.learning import Mapper
+from scenegen_core.knowledge.reading_tables import read_tables
 from scenegen_core.placement.choice_learning import gather, with_choices
 from scenegen_core.scene.model import PAPER_CATEGORIES, Category, Scene, Symmetry
 from server.commands.progress import Meter
@@ -33,7 +34,7 @@ SHIPPED = "shipped"  # --on: what ships with the program
 def add_arguments(parser: ArgumentParser) -> None:
     """Declare what the command takes."""
     parser.add_argument(
-        "data", nargs="+", type=Path, metavar="DATA", help="files of rooms, of any format"
+        "data", nargs="*", type=Path, metavar="DATA", help="files of rooms, of any format"
     )
     parser.add_argument(
         "--out", required=True, type=Path, metavar="FILE", help="where the knowledge goes (.npz)"
@@ -57,6 +58,12 @@ def add_arguments(parser: ArgumentParser) -> None:
         "--on",
         metavar="FILE",
         help="knowledge to go on from: its own is kept; 'shipped' is what ships with the program",
+    )
+    parser.add_argument(
+        "--tables",
+        type=Path,
+        metavar="DIR",
+        help="tables of inspect --tables, edited: they take the place of those of --on",
     )
     parser.add_argument(
         "--category",
@@ -101,8 +108,13 @@ def category(text: str) -> Category:
 
 
 def run(arguments: Namespace) -> int:
-    """Read, clean, learn, save, and say what came of it."""
+    """Read, clean, learn, save, and say what came of it; edited tables alone are only saved."""
     before = _before(arguments)
+    if before and not arguments.data:
+        save_knowledge(before, arguments.out)
+        made_of = f"{arguments.on} with the tables of {arguments.tables}"
+        sys.stdout.write(f"Wrote {arguments.out}, which is {made_of}.\n")
+        return 0
     groups = before.groups if before else (*PAPER_CATEGORIES, *arguments.category)
     rooms, remarks = read_rooms(arguments.data)
     named = [recategorized(room, arguments.category) for room in rooms]
@@ -143,10 +155,16 @@ def run(arguments: Namespace) -> int:
 
 
 def _before(arguments: Namespace) -> Knowledge | None:
-    """The knowledge to go on from, with the further categories."""
+    """The knowledge to go on from, with edited tables and the further categories."""
+    if not (arguments.data or arguments.tables):
+        raise DataError("There is nothing to learn from; name files of rooms, or --tables.")
     if arguments.on is None:
+        if arguments.tables:
+            raise DataError("--tables needs the knowledge that they are of: --on FILE, or shipped.")
         return None
     known = default_knowledge() if arguments.on == SHIPPED else load_knowledge(Path(arguments.on))
+    if arguments.tables:
+        known = read_tables(known, arguments.tables)
     return with_groups(known, tuple(arguments.category))
 
 
