@@ -17,6 +17,7 @@ from pathlib import Path
 from scenegen_core.knowledge import learn, save_knowledge
 from scenegen_core.knowledge.cluster import dask_mapper
 from scenegen_core.knowledge.learning import examples_of
+from scenegen_core.placement.choice_learning import gather, with_choices
 from scenegen_core.scene.files import read_scene
 from scenegen_core.scene.model import PAPER_CATEGORIES
 
@@ -29,12 +30,16 @@ def deadly(batch, groups, mark):
 def main(rooms, out, kill):
     scene = read_scene(Path(rooms).read_bytes())
     scenes = [scene] * 200
-    save_knowledge(learn(scenes, PAPER_CATEGORIES), Path(out + ".alone"))
+    few = scenes[:0 if kill else 33]  # two batches
+    alone = learn(scenes, PAPER_CATEGORIES)
+    alone = with_choices(alone, gather(few, PAPER_CATEGORIES))
+    save_knowledge(alone, Path(out + ".alone"))
     with dask_mapper("local", 2) as mapper:
         def risky(work, batches):
             mark = Path(out + ".killed")
             return mapper(lambda batch: deadly(batch, PAPER_CATEGORIES, mark), batches)
         knowledge = learn(scenes, PAPER_CATEGORIES, mapper=risky if kill else mapper)
+        knowledge = with_choices(knowledge, gather(few, PAPER_CATEGORIES, mapper=mapper))
     save_knowledge(knowledge, Path(out + ".dask"))
 
 if __name__ == "__main__":
