@@ -7,6 +7,8 @@ no front is measured up to a half turn: "behind" is then the nearer end.
 
 from __future__ import annotations
 
+from functools import lru_cache
+
 import numpy as np
 
 from scenegen_core.graph import scan
@@ -22,7 +24,7 @@ from scenegen_core.scene.geometry import (
     left_of,
     walls_as_rectangles,
 )
-from scenegen_core.scene.model import Opening, Symmetry
+from scenegen_core.scene.model import Opening
 
 SAME_SIZE = 0.1  # share by which twins may differ in each dimension
 SAME_LENGTH = 0.03  # metres by which they may always
@@ -105,23 +107,20 @@ def _height(situation: Situation) -> Floats:
 def _neighbors(situation: Situation) -> Floats:
     """The nearest member of each group, in its own frame."""
     around = situation.surroundings
-    symmetric = {group.name for group in around.groups if group.symmetry is Symmetry.SYMMETRIC}
-    return _look_at(situation, around.group_of, len(around.groups), symmetric)
+    return _look_at(situation, around.group_of, len(around.groups))
 
 
 def _twins(situation: Situation) -> Floats:
     """The nearest box of the same category and size, in its own frame."""
     around, size = situation.surroundings, np.array(situation.candidates.size)
-    sizes = np.array([box.size for box in around.scene.boxes]).reshape(-1, 3)
-    alike = (np.abs(sizes - size) <= np.maximum(SAME_SIZE * size, SAME_LENGTH)).all(axis=1)
-    twins = np.where(alike & _of_the_kind(situation), 0, -1)
-    frontless = {situation.candidates.category} if _symmetric(situation) else set[str]()
-    return _look_at(situation, twins.astype(np.int64), 1, frontless)
+    alike = (np.abs(around.sizes - size) <= np.maximum(SAME_SIZE * size, SAME_LENGTH)).all(axis=1)
+    kind = _of_the_kind(around, situation.candidates.category)
+    return _look_at(situation, np.where(alike & kind, 0, -1).astype(np.int64), 1)
 
 
 def _mirror(situation: Situation) -> Floats:
     """Distance and turn to the nearest free place that mirrors one of the kind."""
-    places = mirror_places(situation.surroundings, _of_the_kind(situation))
+    places = mirror_places(situation.surroundings, situation.candidates.category)
     out = np.empty((len(situation.candidates), 2))
     scan.look_at_twins_places(
         _poses(situation), situation.candidates.headings, _symmetric(situation), places, out
@@ -137,13 +136,14 @@ def _size(situation: Situation) -> Floats:
     return np.broadcast_to(row, (len(situation.candidates), 4)).copy()
 
 
-def mirror_places(around: Surroundings, kind: Bools) -> Floats:
-    """Where a box of the kind would mirror another about what stands beside it: (k, 3).
+@lru_cache(maxsize=64)
+def mirror_places(around: Surroundings, category: str) -> Floats:
+    """Where a box of a category would mirror another about what stands beside it: (k, 3).
 
     Rows are x, y, heading. About each axis of a partner, and about its center; places that are
     taken are left out.
     """
-    shapes = around.footprints
+    shapes, kind = around.footprints, _of_the_kind(around, category)
     which = np.flatnonzero(kind)
     solid = (around.tops - around.bottoms > scan.FLAT) & ~kind
     close = gaps(shapes[which], shapes) <= PARTNER
@@ -164,11 +164,9 @@ def mirror_places(around: Surroundings, kind: Bools) -> Floats:
     return np.asarray(found[(apart > TAKEN).all(axis=1)], dtype=np.float64)
 
 
-def _look_at(situation: Situation, group_of: Ints, groups: int, without_front: set[str]) -> Floats:
+def _look_at(situation: Situation, group_of: Ints, groups: int) -> Floats:
     candidates, around = situation.candidates, situation.surroundings
-    fronted = np.array(
-        [box.category not in without_front for box in around.scene.boxes], dtype=bool
-    )
+    fronted = np.array([name not in around.frontless for name in around.categories], dtype=bool)
     out = np.empty((len(candidates), groups * len(scan.NEIGHBOR_PARTS)))
     scan.look_at_neighbors(
         _poses(situation), candidates.headings, _half(situation), candidates.bottoms,
@@ -178,20 +176,13 @@ def _look_at(situation: Situation, group_of: Ints, groups: int, without_front: s
     return out
 
 
-def _of_the_kind(situation: Situation) -> Bools:
-    category = situation.candidates.category
-    return np.array(
-        [b.category == category for b in situation.surroundings.scene.boxes], dtype=bool
-    )
+def _of_the_kind(around: Surroundings, category: str) -> Bools:
+    return np.array([name == category for name in around.categories], dtype=bool)
 
 
 def _symmetric(situation: Situation) -> bool:
     """Has the object no front?"""
-    category = situation.candidates.category
-    return any(
-        group.name == category and group.symmetry is Symmetry.SYMMETRIC
-        for group in situation.surroundings.groups
-    )
+    return situation.candidates.category in situation.surroundings.frontless
 
 
 def _half(situation: Situation) -> Floats:

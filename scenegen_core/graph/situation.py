@@ -9,11 +9,13 @@ from scenegen_core.graph.surroundings import Surroundings
 from scenegen_core.scene.geometry import (
     Bools,
     Floats,
+    Ints,
     directions,
     distances_to_segments,
     gaps,
     left_of,
     rays_hit,
+    separations,
 )
 
 TOUCH = 1e-9  # metres; footprints that only share an edge do not overlap (rounding)
@@ -25,6 +27,10 @@ class Situation:
     def __init__(self, candidates: Candidates, surroundings: Surroundings) -> None:
         self.candidates = candidates
         self.surroundings = surroundings
+
+    def __getitem__(self, index: slice | Ints | Bools) -> Situation:
+        """Some of the candidates, among the same surroundings."""
+        return Situation(self.candidates[index], self.surroundings)
 
     @cached_property
     def gaps(self) -> Floats:
@@ -40,6 +46,16 @@ class Situation:
     def wall_gaps(self) -> Floats:
         """δ(B(O_k), W_i) from the footprints, metres: (n, l)."""
         return gaps(self.candidates.footprints, self.surroundings.wall_shapes)
+
+    @cached_property
+    def overlaps(self) -> Floats:
+        """Like ``gaps`` where footprints overlap; elsewhere positive, cheaper: (n, m)."""
+        return separations(self.candidates.footprints, self.surroundings.footprints)
+
+    @cached_property
+    def wall_overlaps(self) -> Floats:
+        """Like ``wall_gaps`` where a footprint passes a wall; elsewhere positive: (n, l)."""
+        return separations(self.candidates.footprints, self.surroundings.wall_shapes)
 
     @cached_property
     def fronts(self) -> Floats:

@@ -14,7 +14,7 @@ from scenegen_core.scene.geometry import (
     footprints,
     walls_as_rectangles,
 )
-from scenegen_core.scene.model import OTHER, Category, Scene
+from scenegen_core.scene.model import OTHER, Category, Scene, Symmetry
 
 
 class Surroundings:
@@ -38,6 +38,21 @@ class Surroundings:
 
     def __len__(self) -> int:
         return len(self.ids)
+
+    @cached_property
+    def categories(self) -> tuple[str, ...]:
+        """The category of each box: (m,)."""
+        return tuple(box.category for box in self.scene.boxes)
+
+    @cached_property
+    def sizes(self) -> Floats:
+        """Depth, width, height of each box, metres: (m, 3)."""
+        return np.array([box.size for box in self.scene.boxes], dtype=float).reshape(-1, 3)
+
+    @cached_property
+    def frontless(self) -> frozenset[str]:
+        """The groups without a front, by name."""
+        return frozenset(g.name for g in self.groups if g.symmetry is Symmetry.SYMMETRIC)
 
     @cached_property
     def group_of(self) -> Ints:

@@ -10,7 +10,6 @@ from collections.abc import Collection
 from dataclasses import dataclass
 
 import numpy as np
-import shapely
 
 from scenegen_core.graph.relations import RESTS
 from scenegen_core.graph.situation import Situation
@@ -24,7 +23,8 @@ from scenegen_core.scene.geometry import (
     Rectangles,
     directions,
     distances_to_segments,
-    gaps,
+    separations,
+    within,
     wrapped,
 )
 from scenegen_core.scene.model import Opening
@@ -47,10 +47,9 @@ GOES_UNDER: dict[tuple[str, str], float] = {("Chair", "Table"): TUCK}
 
 @dataclass(frozen=True, slots=True)
 class Space:
-    """What limits poses in a scene: the room, clear spaces before doors and windows."""
+    """What limits poses in a scene besides its walls: clear spaces before doors and windows."""
 
     around: Surroundings
-    room: shapely.Polygon
     doors: Rectangles
     door_tops: Floats
     windows: Rectangles
@@ -60,13 +59,10 @@ class Space:
     @classmethod
     def of(cls, around: Surroundings, relaxed: Collection[str] = ()) -> Space:
         """The space of a scene; of the rules that do not count, windows is one."""
-        room = shapely.Polygon(around.scene.room.corners)
-        shapely.prepare(room)
         doors, windows = around.scene.room.doors, around.scene.room.windows
         windows = () if "window" in relaxed else windows
         return cls(
             around=around,
-            room=room,
             doors=_clear(around, doors, None),
             door_tops=np.array([door.top for door in doors], dtype=float),
             windows=_clear(around, windows, WINDOW_DEPTH),
@@ -88,29 +84,25 @@ def _clear(around: Surroundings, openings: tuple[Opening, ...], depth: float | N
 
 def verdicts(situation: Situation, space: Space) -> Ints:
     """The rule that forbids each pose, as an index of RULES, or ALLOWED: (n,)."""
-    broken = (
-        _leaves_room(situation, space),
-        _floats(situation),
-        collisions(situation).any(axis=1),
-        _blocks_door(situation, space),
-        _covers_window(situation, space),
-    )
     verdict = np.full(len(situation.candidates), ALLOWED, dtype=np.int64)
-    for index, forbidden in reversed(list(enumerate(broken))):
-        verdict[forbidden] = index
+    left = np.arange(len(verdict))
+    for index, forbids in enumerate(_FORBIDS):
+        forbidden = forbids(situation, space)
+        verdict[left[forbidden]] = index
+        left, situation = left[~forbidden], situation[~forbidden]
     return verdict
 
 
 def _leaves_room(situation: Situation, space: Space) -> Bools:
     candidates = situation.candidates
-    inside = shapely.contains_xy(space.room, candidates.centers[:, :2])
-    through = (situation.wall_gaps < -SINK).any(axis=1)
+    inside = within(candidates.centers[:, :2], space.around.walls)
+    through = (situation.wall_overlaps < -SINK).any(axis=1)
     height = space.around.scene.room.height
     too_tall = (candidates.tops > height + RESTS) | (candidates.bottoms < -RESTS)
     return np.asarray(~inside | through | too_tall, dtype=np.bool_)
 
 
-def _floats(situation: Situation) -> Bools:
+def _floats(situation: Situation, _: Space) -> Bools:
     """Does it rest on nothing that may carry it?"""
     candidates, around = situation.candidates, situation.surroundings
     kinds = mounts(candidates.category, candidates.size)
@@ -130,6 +122,10 @@ def _floats(situation: Situation) -> Bools:
     return ~rests
 
 
+def _collides(situation: Situation, _: Space) -> Bools:
+    return np.asarray(collisions(situation).any(axis=1), dtype=np.bool_)
+
+
 def collisions(situation: Situation) -> Bools:
     """Which boxes each pose runs into, natural overlaps left out: (n, m)."""
     candidates, around = situation.candidates, situation.surroundings
@@ -139,7 +135,7 @@ def collisions(situation: Situation) -> Bools:
         candidates.bottoms[:, None], around.bottoms
     )
     flat = around.tops - around.bottoms <= RUG_HEIGHT
-    presses = situation.gaps < -_allowances(situation)
+    presses = situation.overlaps < -_allowances(situation)
     return np.asarray(presses & (shared > LAYER) & ~flat[None], dtype=np.bool_)
 
 
@@ -159,14 +155,18 @@ def _blocks_door(situation: Situation, space: Space) -> Bools:
     candidates = situation.candidates
     if candidates.size[2] <= RUG_HEIGHT:
         return np.zeros(len(candidates), dtype=np.bool_)
-    meets = gaps(candidates.footprints, space.doors) < -PRESS
+    meets = separations(candidates.footprints, space.doors) < -PRESS
     below = candidates.bottoms[:, None] < space.door_tops
     return np.asarray((meets & below).any(axis=1), dtype=np.bool_)
 
 
 def _covers_window(situation: Situation, space: Space) -> Bools:
     candidates = situation.candidates
-    meets = gaps(candidates.footprints, space.windows) < -PRESS
+    meets = separations(candidates.footprints, space.windows) < -PRESS
     sill, lintel = space.window_heights.T
     across = (candidates.tops[:, None] > sill + LAYER) & (candidates.bottoms[:, None] < lintel)
     return np.asarray((meets & across).any(axis=1), dtype=np.bool_)
+
+
+_FORBIDS = (_leaves_room, _floats, _collides, _blocks_door, _covers_window)
+"""What each of RULES forbids, but for the path: each is asked only of what is left."""

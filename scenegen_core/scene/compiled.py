@@ -12,6 +12,7 @@ from numba import njit
 from numpy.typing import NDArray
 
 Floats = NDArray[np.float64]
+Bools = NDArray[np.bool_]
 
 compiled = njit(cache=True, nogil=True, error_model="numpy")
 
@@ -72,3 +73,44 @@ def all_gaps(shapes: Floats, others: Floats, out: Floats) -> None:
         x, y, cos, sin, depth, width = shapes[i]
         for j in range(len(others)):
             out[i, j] = gap(x, y, cos, sin, depth, width, others[j])
+
+
+@compiled
+def separation(
+    x: float, y: float, cos: float, sin: float, depth: float, width: float, other: Floats
+) -> float:
+    """The largest separation along the four edge normals, metres.
+
+    Where it is negative it is the signed gap; where positive, the gap is no less. Much cheaper.
+    """
+    dx, dy = x - other[0], y - other[1]
+    ac = abs(cos * other[2] + sin * other[3])
+    as_ = abs(sin * other[2] - cos * other[3])
+    return max(
+        abs(dx * other[2] + dy * other[3]) - other[4] - depth * ac - width * as_,
+        abs(dy * other[2] - dx * other[3]) - other[5] - depth * as_ - width * ac,
+        abs(dx * cos + dy * sin) - depth - other[4] * ac - other[5] * as_,
+        abs(dx * sin - dy * cos) - width - other[4] * as_ - other[5] * ac,
+    )
+
+
+@compiled
+def all_separations(shapes: Floats, others: Floats, out: Floats) -> None:
+    """The separation of every pair: (shapes, others)."""
+    for i in range(len(shapes)):
+        x, y, cos, sin, depth, width = shapes[i]
+        for j in range(len(others)):
+            out[i, j] = separation(x, y, cos, sin, depth, width, others[j])
+
+
+@compiled
+def inside(points: Floats, walls: Floats, out: Bools) -> None:
+    """Is each point inside the outline that the walls make? Even-odd; an edge is either."""
+    for i in range(len(points)):
+        x, y = points[i]
+        odd = False
+        for k in range(len(walls)):
+            ax, ay, bx, by = walls[k, 0, 0], walls[k, 0, 1], walls[k, 1, 0], walls[k, 1, 1]
+            if (ay > y) != (by > y) and x < ax + (y - ay) * (bx - ax) / (by - ay):
+                odd = not odd
+        out[i] = odd

@@ -12,7 +12,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from scenegen_core.scene.compiled import all_gaps
+from scenegen_core.scene.compiled import all_gaps, all_separations, inside
 from scenegen_core.scene.model import Box
 
 Floats = NDArray[np.float64]
@@ -94,6 +94,20 @@ def gaps(shapes: Rectangles, others: Rectangles) -> Floats:
     """
     out = np.empty((len(shapes), len(others)))
     all_gaps(shapes.rows, others.rows, out)
+    return out
+
+
+def separations(shapes: Rectangles, others: Rectangles) -> Floats:
+    """Like gaps where footprints overlap; elsewhere positive and no more than the gap, metres."""
+    out = np.empty((len(shapes), len(others)))
+    all_separations(shapes.rows, others.rows, out)
+    return out
+
+
+def within(points: Floats, walls: Floats) -> Bools:
+    """Is each point inside the outline of the walls (l, 2, 2)?: (n, 2) -> (n,)."""
+    out = np.empty(len(points), dtype=np.bool_)
+    inside(np.ascontiguousarray(points), walls, out)
     return out
 
 
