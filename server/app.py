@@ -20,6 +20,7 @@ from server.exports import NO_MODEL, Exports
 from server.joining import Join, Joining
 from server.live import Live
 from server.page import ALWAYS_ASK, FOREVER, BuiltPage
+from server.room_plan import room_plan
 from server.security import Security
 from server.settings import Settings
 from server.store import Store
@@ -49,6 +50,7 @@ def make_app(settings: Settings, world: World, join: Join | None = None) -> Star
             Route("/rooms/{id}.json", files.room),
             Route("/assets/{digest}.glb", files.asset),
             Route("/knowledge.json", files.knowledge),
+            Route("/knowledge/rooms/{id:path}.svg", files.plan),
             Route("/scenes/check", exports.check_scene, methods=["POST"]),
             Route("/export/room.glb", exports.room, methods=["POST"]),
             Route("/export/heat-map.png", exports.heat_map, methods=["POST"]),
@@ -93,6 +95,17 @@ class Files:
     async def knowledge(self, _: Request) -> Response:
         """What is known of each category, with the counts behind it."""
         return _json(marginals(self._world.knowledge))
+
+    async def plan(self, request: Request) -> Response:
+        """The plan of a room that was learned from; ``?category=`` stands out in it."""
+        knowledge, name = self._world.knowledge, request.path_params["id"]
+        plan = knowledge.plans.get(name)
+        if plan is None:
+            raise HTTPException(404, "There is no plan of that room in what was learned.")
+        source = next((one for one in knowledge.sources if one.id == plan.source), None)
+        svg = room_plan(plan, request.query_params.get("category", ""), name, source)
+        headers = {"Cache-Control": ALWAYS_ASK}
+        return Response(svg, media_type="image/svg+xml", headers=headers)
 
     async def health(self, _: Request) -> Response:
         """That the server is up."""

@@ -19,6 +19,7 @@ from scenegen_core.errors import KnowledgeError
 from scenegen_core.graph.relations import Column
 from scenegen_core.knowledge.choice import BINS, Choice, Table, choice_columns
 from scenegen_core.knowledge.knowledge import SETTINGS, CategoryKnowledge, Knowledge
+from scenegen_core.knowledge.plans import Plan
 from scenegen_core.knowledge.sources import Source
 from scenegen_core.scene.model import Category
 
@@ -79,6 +80,8 @@ def save_knowledge(knowledge: Knowledge, path: Path) -> None:
     arrays: dict[str, NDArray[Any]] = {
         "header": np.frombuffer(msgspec.json.encode(header), dtype=np.uint8)
     }
+    plans = {room: plan for room, plan in knowledge.plans.items() if room in index}
+    arrays["plans"] = np.frombuffer(msgspec.json.encode(plans), dtype=np.uint8)
     for number, part in enumerate(parts):
         for name in ARRAYS:
             arrays[f"{number}.{name}"] = getattr(part, name)
@@ -126,6 +129,7 @@ def _read(file: IO[bytes], name: str) -> Knowledge:
             parts = [_category(archive, header, i) for i in range(len(header.categories))]
             choices = [_choice(archive, header, i) for i in range(len(header.choices))]
             shared = _shared(archive, header) if header.choices else None
+            plans = _plans(archive)
     except BROKEN as error:
         raise KnowledgeError(f"The knowledge file {name} is broken; {LEARN_AGAIN}.") from error
     return Knowledge(
@@ -136,7 +140,15 @@ def _read(file: IO[bytes], name: str) -> Knowledge:
         made_with=header.made_with,
         choices=dict(zip(header.choices, choices, strict=True)),
         shared=shared,
+        plans=plans,
     )
+
+
+def _plans(archive: NpzFile) -> dict[str, Plan]:
+    """The plans of the rooms; files from before there were plans have none."""
+    if "plans" not in archive:
+        return {}
+    return msgspec.json.decode(archive["plans"].tobytes(), type=dict[str, Plan])
 
 
 def _header(text: bytes, name: str) -> _Header:

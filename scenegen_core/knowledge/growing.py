@@ -47,6 +47,7 @@ def together(one: Knowledge, other: Knowledge) -> Knowledge:
         categories={name: part for name, part in categories.items() if part is not None},
         sources=(*one.sources, *other.sources),
         made_with=f"{one.made_with}; {other.made_with}",
+        plans={**one.plans, **other.plans},
     )
 
 

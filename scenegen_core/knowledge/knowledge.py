@@ -18,6 +18,7 @@ from scenegen_core.graph.relations import (
 )
 from scenegen_core.knowledge.choice import Choice, Table
 from scenegen_core.knowledge.density import Bandwidths, Density
+from scenegen_core.knowledge.plans import Plan
 from scenegen_core.knowledge.sources import Source
 from scenegen_core.scene.geometry import Bools, Floats
 from scenegen_core.scene.model import Category, Vector3
@@ -157,6 +158,8 @@ class Knowledge:
     """What is chosen of a category, by name, of those with enough examples."""
     shared: Table | None = None
     """The curves that all categories have in common; None where no choices were learned."""
+    plans: Mapping[str, Plan] = field(default_factory=dict)
+    """The rooms of the examples, to be drawn, by their ids."""
 
     def __getitem__(self, name: str) -> CategoryKnowledge:
         """The knowledge of a category; KnowledgeError if there is no example of it."""

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from functools import partial
 from itertools import islice
 from typing import NamedTuple, Protocol, TypeVar
@@ -16,6 +16,7 @@ from scenegen_core.graph.relations import RELATIONS, columns, measure
 from scenegen_core.graph.situation import Situation
 from scenegen_core.graph.surroundings import Surroundings
 from scenegen_core.knowledge.knowledge import SETTINGS, CategoryKnowledge, Knowledge
+from scenegen_core.knowledge.plans import Plan, plan_of
 from scenegen_core.knowledge.sources import sources_of
 from scenegen_core.scene.geometry import Floats
 from scenegen_core.scene.model import OTHER, Box, Category, Scene
@@ -84,7 +85,14 @@ def learn(
         sources=sources_of(scenes),
         settings=SETTINGS,
         made_with=made_with,
+        plans=_plans(scenes, examples.values()),
     )
+
+
+def _plans(scenes: Sequence[Scene], examples: Iterable[list[Example]]) -> dict[str, Plan]:
+    """The plans of the rooms that there are examples from."""
+    rooms = {example.room for some in examples for example in some}
+    return {scene.id: plan_of(scene) for scene in scenes if scene.id in rooms}
 
 
 def examples_of(scenes: Batch, groups: tuple[Category, ...]) -> tuple[Example, ...]:

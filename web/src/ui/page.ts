@@ -33,6 +33,8 @@ export interface Local {
   readonly crosshair: Point | null;
   /** The category whose knowledge is shown; null while none is. */
   readonly knowledgeOf: string | null;
+  /** The known room whose plan is shown large. */
+  readonly plan: string | null;
   /** Whether the way into the camera view stands open. */
   readonly arDoor: boolean;
   /** What is known of all categories, once it was asked for. */
@@ -48,6 +50,7 @@ export const INITIAL_LOCAL: Local = {
   plans: {},
   crosshair: null,
   knowledgeOf: null,
+  plan: null,
   arDoor: false,
   knowledge: null,
 };

@@ -4,9 +4,10 @@ import type { Placing } from "../model/state";
 import type { Reason } from "../net/protocol.gen";
 import { section } from "./controls";
 import { costs } from "./instead";
+import { knownRooms } from "./known_rooms";
 import { mattersPart } from "./matters";
 import type { Page } from "./page";
-import { counted, ended, likelihoodInWords, reasonInWords, signed, strengthInWords } from "./words";
+import { begun, ended, likelihoodInWords, reasonInWords, signed, strengthInWords } from "./words";
 
 /** Bars shown at once; the rest waits behind a click. */
 const SHOWN = 4;
@@ -29,7 +30,7 @@ export function reasonsPanel(page: Page): TemplateResult | typeof nothing {
         ${verdict.likelihood === null ? nothing : html`<small>A ${likelihoodInWords(verdict.likelihood)} place.</small>`}
       </p>
       ${bars(page, verdict.reasons)} ${total(page, verdict)} ${costs(page)}
-      ${rooms(verdict.rooms)} ${mattersPart(page, placing)}`;
+      ${knownRooms(page, placing.category, verdict.rooms)} ${mattersPart(page, placing)}`;
   return placing.mode === "manual" ? onDemand(why) : section("Why here", why, "reasons");
 }
 
@@ -75,7 +76,7 @@ function bar(reason: Reason, longest: number, numbers: boolean): TemplateResult 
   const share = reason.contribution / longest;
   const length = Math.abs(share) * 50;
   return html`<li>
-    <span class="words">${reason.text}<small>${reasonInWords(reason)}</small></span>
+    <span class="words">${begun(reason.text)}<small>${reasonInWords(reason)}</small></span>
     <span>
       <svg class="measure" viewBox="0 0 100 8" preserveAspectRatio="none" aria-hidden="true">
         <path class="axis" d="M50 0v8" />
@@ -110,12 +111,4 @@ function total({ local, change }: Page, { score }: Verdict): TemplateResult {
             </p>
             <p class="quiet"><small>As logarithms: 0.69 more is twice as likely.</small></p>`
     }`;
-}
-
-function rooms(names: readonly string[]): TemplateResult | typeof nothing {
-  if (names.length === 0) return nothing;
-  return html`<details class="more">
-    <summary>${counted(names.length, "known room")} that speak for it</summary>
-    <ul class="names">${names.map((name) => html`<li>${name}</li>`)}</ul>
-  </details>`;
 }
