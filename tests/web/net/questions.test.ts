@@ -129,3 +129,33 @@ test("the graph is watched while it is shown", () => {
     { type: "watch_graph", on: false },
   ]);
 });
+
+describe("asking what matters", () => {
+  const { now: asked } = questions(NO_QUESTIONS, offered);
+  const wondering = play(offered, { type: "what-matters", on: true });
+  const id = wondering.placing?.weigh?.id ?? "";
+
+  test("happens once, and ends by itself when it is known", () => {
+    const told = play(wondering, {
+      type: "matters",
+      matters: { type: "matters", id, ask, revision: 1, found: null },
+    });
+    const { messages } = questions(asked, wondering, wondering, told);
+    expect(messages).toEqual([{ type: "what_matters", id, on: true }]);
+  });
+
+  test("stops when nobody wants to know any more", () => {
+    const { messages } = questions(
+      asked,
+      wondering,
+      play(wondering, { type: "what-matters", on: false }),
+    );
+    expect(messages.at(-1)).toEqual({ type: "what_matters", id, on: false });
+  });
+
+  test("another model is another question, and the old one ends with its ask", () => {
+    const other = play(wondering, { type: "choose-model", model: "paper" });
+    const { messages } = questions(asked, wondering, other);
+    expect(messages.slice(1)).toMatchObject([{ type: "ask", query: { model: "paper" } }]);
+  });
+});

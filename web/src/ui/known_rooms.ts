@@ -42,6 +42,7 @@ function thumbnail(
     @click=${() => change({ plan: open ? null : name })}
   >
     <img src=${planUrl(name, category)} alt="" loading="lazy" />
+    <small>${name}</small>
   </button>`;
 }
 
