@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 import sys
 from argparse import ArgumentParser, ArgumentTypeError, Namespace
+from math import radians
 from pathlib import Path
 from time import perf_counter
 from typing import Any
@@ -16,6 +17,7 @@ from scenegen_core.knowledge import Knowledge, default_knowledge, load_knowledge
 from scenegen_core.placement.answer import MODELS, Answer, HeatMap, Query
 from scenegen_core.placement.arrange import arrange
 from scenegen_core.scene.model import Scene, Vector3
+from server.commands.questions import Asked, remedy, what_if, why_not
 from server.commands.rooms import open_room
 
 DECIMALS = 4  # of metres and radians that are printed
@@ -37,6 +39,15 @@ def add_arguments(parser: ArgumentParser) -> None:
     parser.add_argument("--count", type=_count, default=5, help="alternatives to offer (1 to 10)")
     parser.add_argument("--seed", type=_seed, default=0, help="decides between equal scores")
     parser.add_argument("--knowledge", type=Path, metavar="FILE", help="instead of the shipped one")
+    parser.add_argument(
+        "--why-not",
+        type=spot,
+        metavar="X,Y[,DEGREES]",
+        help="say of that spot why the last object should not go there, and what it would take",
+    )
+    parser.add_argument(
+        "--what-if", action="store_true", help="say which thing matters most to the last object"
+    )
     parser.add_argument("--json", action="store_true", help="print one JSON object")
     parser.add_argument("--heat-map", type=Path, metavar="FILE.png", help="draw the last heat map")
     parser.add_argument("--glb", type=Path, metavar="FILE.glb", help="save the furnished room")
@@ -50,10 +61,20 @@ def run(arguments: Namespace) -> int:
     started = perf_counter()
     furnished, answers = arrange(scene, queries, knowledge)
     elapsed = (perf_counter() - started) * 1000
+    last = Asked(_before_the_last(furnished, answers[-1]), queries[-1], knowledge)
+    extra = [
+        *([remedy(last)] if answers[-1].no_good_place else []),
+        *([why_not(last, *arguments.why_not)] if arguments.why_not else []),
+        *([what_if(last)] if arguments.what_if else []),
+    ]
     if arguments.json:
-        print(msgspec.json.encode(report(scene, arguments.model, answers, elapsed)).decode())
+        told = report(scene, arguments.model, answers, elapsed)
+        for more in extra:
+            told |= more.data
+        print(msgspec.json.encode(told).decode())
     else:
-        print("\n".join(line for answer in answers for line in _told(answer)))
+        lines = [line for answer in answers for line in _told(answer)]
+        print("\n".join([*lines, *(line for more in extra for line in more.lines)]))
     _save(arguments, furnished, answers[-1])
     return 0
 
@@ -70,6 +91,23 @@ def wish(text: str) -> tuple[str, Vector3 | None]:
             f"{text!r}: write the size as depth,width,height in metres, like sofa:0.9,2.1,0.8"
         ) from None
     return name, (depth, width, height)
+
+
+def spot(text: str) -> tuple[float, float, float]:
+    """A spot on the floor in metres, and a heading in degrees: "1.2,0.5,90"."""
+    try:
+        x, y, *turn = (float(part) for part in text.split(","))
+        (degrees,) = turn or (0.0,)
+    except ValueError:
+        raise ArgumentTypeError(
+            f"{text!r}: write the spot as x,y in metres and perhaps a heading, like 1.2,0.5,90"
+        ) from None
+    return x, y, radians(degrees)
+
+
+def _before_the_last(furnished: Scene, last: Answer) -> Scene:
+    """The room as the last object found it."""
+    return furnished.without(furnished.boxes[-1].id) if last.poses else furnished
 
 
 def report(scene: Scene, model: str, answers: tuple[Answer, ...], elapsed: float) -> dict[str, Any]:
@@ -94,6 +132,7 @@ def _answer(answer: Answer) -> dict[str, Any]:
                 "yaw": round(pose.heading, DECIMALS),
                 "score": pose.score,
                 "likelihood": round(pose.likelihood, DECIMALS),
+                "name": pose.name,
                 "sentence": pose.sentence,
                 "reasons": [
                     {
@@ -165,9 +204,11 @@ def _told(answer: Answer) -> list[str]:
     for pose in answer.poses:
         x, y, z = pose.center
         lines.append(
-            f"  {pose.rank}  at ({x:.2f}, {y:.2f}, {z:.2f}), heading {pose.heading:.2f}: "
-            f"{pose.sentence}"
+            f"  {pose.rank}  {pose.name}: at ({x:.2f}, {y:.2f}, {z:.2f}), "
+            f"heading {pose.heading:.2f}: {pose.sentence}"
         )
+    best = answer.poses[0]
+    lines.append(f"  Rooms that speak for the first: {', '.join(best.rooms)}")
     return lines
 
 

@@ -90,9 +90,11 @@ def test_without_json_it_tells_a_line_a_placement(capsys: pytest.CaptureFixture[
     assert place(LIVING_ROOM, "--add", "Picture:0.04,0.6,0.5", "--count", "2") == 0
     first, *lines = capsys.readouterr().out.splitlines()
     assert first == "Picture, 0.04 × 0.60 × 0.50 m"
-    assert len(lines) == 2
-    assert lines[0].startswith("  1  at (")
+    assert len(lines) == 3
+    assert lines[0].startswith("  1  ")
+    assert ": at (" in lines[0]
     assert " wall" in lines[0]
+    assert lines[2].startswith("  Rooms that speak for the first: ")
 
 
 def test_objects_added_together_see_each_other(capsys: pytest.CaptureFixture[str]) -> None:
@@ -288,3 +290,68 @@ def test_the_room_itself_is_never_changed(
     capsys.readouterr()
     assert path.read_bytes() == content
     assert read_scene(content).id == "drawn"
+
+
+# --- what it says beyond the places ---------------------------------------------------------------
+
+
+def test_every_place_has_a_name_of_its_own(capsys: pytest.CaptureFixture[str]) -> None:
+    (answer,) = answered(capsys, LIVING_ROOM, "--add", "chair")["answers"]
+    names = [placement["name"] for placement in answer["placements"]]
+    assert all(names)
+    assert len(set(names)) == len(names)
+    assert place(LIVING_ROOM, "--add", "chair") == 0
+    words = capsys.readouterr().out
+    assert all(f"{rank}  {name}:" in words for rank, name in enumerate(names, start=1))
+    assert f"Rooms that speak for the first: {answer['placements'][0]['rooms'][0]}" in words
+
+
+def test_why_not_names_the_rule_and_the_nearest_place(
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    """A table of 0.6 m, its middle on the west wall: 0.3 m further in it is free of it."""
+    words = (LIVING_ROOM, "--add", "table:0.6,0.6,0.7", "--why-not", "0,3.5")
+    seen = answered(capsys, *words)["why_not"]
+    assert (seen["allowed"], seen["rule"]) == (False, "room")
+    assert seen["elsewhere"]["distance"] == pytest.approx(0.3, abs=0.01)
+    assert place(*words) == 0
+    printed = capsys.readouterr().out
+    assert "At (0, 3.5): It would stick through a wall" in printed
+    assert "It may stand 30 cm further from the west wall: " in printed
+
+
+def test_why_not_says_what_a_possible_place_costs(capsys: pytest.CaptureFixture[str]) -> None:
+    words = (LIVING_ROOM, "--add", "sofa:0.9,1.5,0.8", "--why-not", "3.8,1.2,10")
+    seen = answered(capsys, *words)["why_not"]
+    assert seen["allowed"]
+    assert 1 <= len(seen["costs"]) <= 3
+    assert all(cost["difference"] < 0 for cost in seen["costs"])
+
+
+def test_what_if_names_the_thing_that_matters_most(capsys: pytest.CaptureFixture[str]) -> None:
+    found = answered(capsys, LIVING_ROOM, "--add", "sofa", "--what-if")["what_if"]
+    assert found["box"] in {one["id"] for one in SCENE["boxes"]}
+    assert found["text"].startswith("Without the ")
+    assert place(LIVING_ROOM, "--add", "sofa", "--what-if") == 0
+    assert found["text"] in capsys.readouterr().out
+
+
+def test_where_there_is_no_place_it_says_what_would_give_one(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """A room of 2 m by 2 m without a thing in it: 85 % of 2.3 m is the first that fits."""
+    corners = [[0, 0], [2, 0], [2, 2], [0, 2]]
+    room = scene_file(tmp_path, {"corners": corners, "doors": [], "windows": []}, boxes=[])
+    remedy = answered(capsys, room, "--add", "bed:2.3,0.9,0.5")["remedy"]
+    assert remedy["kind"] == "size"
+    assert remedy["size"][0] == pytest.approx(0.85 * 2.3, abs=0.006)
+    assert place(room, "--add", "bed:2.3,0.9,0.5") == 0
+    assert "One that is 15 % smaller would fit" in capsys.readouterr().out
+
+
+@pytest.mark.parametrize("spot", ["1", "1,b", "1,2,3,4"])
+def test_a_spot_that_is_none_says_how_to_write_one(
+    spot: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert place(LIVING_ROOM, "--add", "sofa", "--why-not", spot) == 2
+    assert "like 1.2,0.5,90" in capsys.readouterr().err

@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import msgspec
 import pytest
 
 from scenegen_core.placement.answer import Query as CoreQuery
+from scenegen_core.placement.answer import Remedy as CoreRemedy
 from scenegen_core.placement.solve import solve
 from scenegen_core.scene.files import BoxRecord, RoomRecord, SceneRecord, scene_of
 from server.edits import Vocabulary
@@ -13,6 +16,7 @@ from server.effects import (
     DrawGraph,
     Effect,
     Examine,
+    FindRemedy,
     Furnish,
     Push,
     Save,
@@ -20,6 +24,8 @@ from server.effects import (
     SendAnswer,
     Solve,
     StopSolving,
+    StopWeighing,
+    Weigh,
 )
 from server.looks import look_of
 from server.protocol import (
@@ -31,7 +37,9 @@ from server.protocol import (
     Hello,
     Inspect,
     Inspected,
+    Matters,
     Models,
+    NoGoodPlace,
     Ping,
     Pong,
     Problem,
@@ -39,12 +47,25 @@ from server.protocol import (
     PutRoom,
     PutScene,
     Query,
+    Remedy,
     RemoveBox,
     WatchGraph,
     Welcome,
+    WhatMatters,
 )
-from server.results import Furnished, Solved, examined, furnished, graphed, solved
+from server.results import (
+    Furnished,
+    Remedied,
+    Solved,
+    examined,
+    furnished,
+    graphed,
+    remedied,
+    solved,
+    weighed,
+)
 from server.session import Session, greet, handle
+from server.translate import with_remedy
 from server.world import World
 from tests.server.driving import ROOM, SCENE, TABLE
 
@@ -331,3 +352,81 @@ def test_a_pose_examined_in_an_older_scene_is_dropped_and_a_graph_when_unwatched
     assert graphed(session, graph)[1] == (Send(graph),)
     session, _ = after(session, WatchGraph(on=False))
     assert graphed(session, graph)[1] == ()
+
+
+# --- what matters, and what would help ------------------------------------------------------------
+
+WONDER = WhatMatters(id="m")
+
+
+def test_what_matters_is_weighed_once_the_ask_is_solved(result: Solved) -> None:
+    session, effects = after(DRAWN, SOFA, WONDER)
+    assert Weigh not in kinds(effects)
+    session, deeds = solved(session, result)
+    assert SOFA.query is not None
+    assert DRAWN.scene is not None
+    assert deeds[-1] == Weigh("m", "a", SOFA.query, 4, DRAWN.scene, result.solution)
+    told = Matters(id="m", ask="a", revision=4, found=None)
+    assert weighed(session, told) == (untroubled(session), (Send(told),))
+
+
+def untroubled(session: Session) -> Session:
+    """The session once the page has been told what matters."""
+    return replace(session, weigh=None)
+
+
+def test_a_newer_question_of_what_matters_replaces_the_older_one(result: Solved) -> None:
+    session, _ = after(DRAWN, SOFA)
+    session, _ = solved(session, result)
+    session, effects = after(session, WONDER, WhatMatters(id="n"))
+    assert [effect.question for effect in effects if isinstance(effect, Weigh)] == ["m", "n"]
+    assert weighed(session, Matters(id="m", ask="a", revision=4, found=None)) == (session, ())
+
+
+@pytest.mark.parametrize(
+    "message",
+    [
+        RemoveBox(seq=1, id="table"),
+        WhatMatters(id="m", on=False),
+        Ask(id="b", query=Query(category="Table")),
+        Ask(id="b", query=None),
+    ],
+)
+def test_an_edit_another_ask_or_a_word_of_the_page_ends_the_weighing(
+    result: Solved, message: ClientMessage
+) -> None:
+    session, _ = after(DRAWN, SOFA, WONDER)
+    session, _ = solved(session, result)
+    session, effects = after(session, message)
+    assert StopWeighing() in effects
+    assert session.weigh is None
+
+
+def test_what_matters_without_an_ask_is_refused() -> None:
+    (problem,) = sent(DRAWN, WONDER)
+    assert isinstance(problem, Problem)
+    assert problem.code == "bad_query"
+
+
+def test_where_there_is_no_place_a_remedy_is_sought_and_the_answer_comes_again(
+    result: Solved,
+) -> None:
+    session, _ = after(DRAWN, SOFA)
+    none = NoGoodPlace(rule="room", text="No good place.", remedy=None)
+    answer = msgspec.structs.replace(result.answer, no_good_place=none)
+    session, deeds = solved(session, Solved(result.solution, answer, ()))
+    assert SOFA.query is not None
+    assert DRAWN.scene is not None
+    assert deeds[-1] == FindRemedy(SOFA.query, DRAWN.scene, answer, ())
+    remedy = Remedy("box", "Without the table.", (1.0, 1.0, 0.4), 0.0, None, "table", None)
+    helped = with_remedy(answer, remedy_of(remedy))
+    assert helped.no_good_place == msgspec.structs.replace(none, remedy=remedy)
+    assert remedied(session, Remedied(helped, ())) == (session, (SendAnswer(helped, ()),))
+    assert remedied(session, Remedied(answer, ())) == (session, ())  # nothing helps
+    edited_since, _ = after(session, PutBox(seq=1, box=TABLE))
+    assert remedied(edited_since, Remedied(helped, ())) == (edited_since, ())
+
+
+def remedy_of(message: Remedy) -> CoreRemedy:
+    """The same remedy as the core has it."""
+    return CoreRemedy(**msgspec.structs.asdict(message))
