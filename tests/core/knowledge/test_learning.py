@@ -184,9 +184,7 @@ def test_progress_counts_the_rooms() -> None:
 def test_the_knowledge_is_the_same_to_the_bit_in_whatever_order_batches_are_measured(
     tmp_path: Path,
 ) -> None:
-    def backwards(
-        work: Callable[[Batch], Found], batches: Iterator[Batch], /
-    ) -> Iterator[Found]:
+    def backwards(work: Callable[[Batch], Found], batches: Iterator[Batch], /) -> Iterator[Found]:
         measured = [work(batch) for batch in reversed(list(batches))]
         yield from reversed(measured)
 
