@@ -1,16 +1,23 @@
-"""Knowledge to look at: the paper's knowledge figure for every category, with its counts."""
+"""Knowledge to look at: the paper's figure of every category, and the curves that we add to it."""
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+from dataclasses import dataclass
 from html import escape
 from pathlib import Path
 
 import msgspec
+import numpy as np
 
-from scenegen_core.evaluation.drawing import COLORS, figure, svg
+from scenegen_core.evaluation.choice_pictures import Drawn, draw_curves, draw_surfaces
+from scenegen_core.evaluation.choice_strength import shares
+from scenegen_core.evaluation.knowledge_bars import draw, panels
 from scenegen_core.evaluation.page import contents, document, paragraph, plot, section
+from scenegen_core.knowledge.choice import choice_columns
 from scenegen_core.knowledge.knowledge import Knowledge
 from scenegen_core.knowledge.marginals import Bar, CategoryMarginals, KnowledgeMarginals, marginals
+from scenegen_core.knowledge.writing_tables import CURVES, SURFACES, file_stem, write_tables
 
 TITLE = "What does it know?"
 INTRODUCTION = (
@@ -19,49 +26,78 @@ INTRODUCTION = (
     "thing is at an edge if one wall is that near to its middle, in a corner if two are: large "
     "things seldom are."
 )
-WIDTH, ROW_HEIGHT = 5.4, 2.4  # inches
-BAR, SEVERAL_BAR = COLORS[6], COLORS[2]
+CHOICES = (
+    "Where something goes is decided by curves and surfaces. A curve says how much likelier, or "
+    "less likely, a place is for one thing that can be measured there, a surface for two at once; "
+    "the factors of a place are multiplied. ×1 makes no difference. Shown are those that tell the "
+    "examples apart most; grey bars and dots say how often examples are there, and little is known "
+    "where there are none. Bins are as wide as each other in the pictures, and finest where "
+    "furniture touches."
+)
+SHARED = (
+    "What all furniture has in common is learned first, and then how each kind differs: so a few "
+    "examples are enough. These are its strongest curves; the bars are the average of all kinds."
+)
+TOO_FEW = "There were too few examples to learn curves from."
+ALL = "All furniture"
+TABLES = "tables"
 
 
-def write_knowledge(out: Path, knowledge: Knowledge) -> None:
-    """Write index.html, knowledge.json and a picture a category; OSError if that fails."""
+@dataclass(frozen=True, slots=True)
+class Pictures:
+    """What is drawn of one category."""
+
+    bars: Drawn
+    """The paper's figure."""
+    curves: Drawn | None
+    surfaces: Drawn | None
+
+    @property
+    def named(self) -> dict[str, Drawn]:
+        """Those that there are, by what their files are called after the category."""
+        everything = {"": self.bars, "-curves": self.curves, "-surfaces": self.surfaces}
+        return {end: drawn for end, drawn in everything.items() if drawn}
+
+
+def write_knowledge(out: Path, knowledge: Knowledge, *, tables: bool = False) -> None:
+    """Write index.html, knowledge.json and the pictures; OSError if that fails.
+
+    With ``tables`` also the curves and surfaces of every category as files to edit.
+    """
     known = marginals(knowledge)
     out.mkdir(parents=True, exist_ok=True)
-    pictures = {part.category: draw(part) for part in known.categories}
-    for name, picture in pictures.items():
-        (out / f"{name.lower()}.svg").write_text(picture, encoding="utf-8")
+    pictures = {part.category: _pictures(part, knowledge) for part in known.categories}
+    shared = _draw_shared(knowledge)
+    files = {
+        f"{file_stem(name)}{end}": drawn
+        for name, of_category in pictures.items()
+        for end, drawn in of_category.named.items()
+    } | ({"all-furniture": shared} if shared else {})
+    for name, drawn in files.items():
+        (out / f"{name}.svg").write_text(drawn.picture, encoding="utf-8")
+    if tables:
+        write_tables(knowledge, out / TABLES)
     (out / "knowledge.json").write_bytes(msgspec.json.format(msgspec.json.encode(known)))
-    (out / "index.html").write_text(_page(known, pictures), encoding="utf-8")
+    page = _page(known, pictures, shared, with_tables=set(knowledge.choices) if tables else set())
+    (out / "index.html").write_text(page, encoding="utf-8")
 
 
-def panels(part: CategoryMarginals) -> list[tuple[str, tuple[Bar, ...], int]]:
-    """The four parts of the figure: title, bars, and how many examples they count."""
-    everything = [
-        ("Where in the room", part.position, part.examples),
-        ("Near it", part.surrounded_by, part.examples),
-        ("It faces", part.facing, part.fronts),
-        ("Faces the middle", part.towards_center, part.fronts),
-    ]
-    return [(title, bars, count) for title, bars, count in everything if bars]
+def _pictures(part: CategoryMarginals, knowledge: Knowledge) -> Pictures:
+    bars = Drawn(draw(part), f"What is known of {part.category}")
+    choice = knowledge.choices.get(part.category)
+    if choice is None:
+        return Pictures(bars, None, None)
+    often = shares(choice.examples)
+    curves = draw_curves(choice.columns, choice.curves, often, knowledge.shared)
+    return Pictures(bars, curves, draw_surfaces(choice))
 
 
-def draw(part: CategoryMarginals) -> str:
-    """The figure of one category as SVG: two panels a row, each bar with its share and count."""
-    shown = panels(part)
-    rows = len(shown) // 2
-    with figure(WIDTH, ROW_HEIGHT * rows + 0.3) as drawn:
-        grid = drawn.subplots(rows, 2, squeeze=False).flat
-        for axes, (title, bars, count) in zip(grid, shown, strict=True):
-            labels = [bar.label for bar in bars]
-            axes.barh(labels, [bar.share for bar in bars], color=BAR)
-            axes.barh(labels, [bar.several / count for bar in bars], color=SEVERAL_BAR)
-            for place, bar in enumerate(bars):
-                axes.text(bar.share + 0.02, place, f"{bar.share:.0%} ({bar.count})", va="center")
-            axes.set(title=f"{title}, of {count}", xlim=(0, 1.3), xticks=[])
-            axes.invert_yaxis()
-            axes.spines["bottom"].set_visible(False)
-        drawn.supxlabel("dark: two or more of them", fontsize=9)
-        return svg(drawn)
+def _draw_shared(knowledge: Knowledge) -> Drawn | None:
+    """What all categories share, over the examples of all, each category counting alike."""
+    if knowledge.shared is None or not knowledge.choices:
+        return None
+    often = np.mean([shares(choice.examples) for choice in knowledge.choices.values()], axis=0)
+    return draw_curves(choice_columns(knowledge.groups), knowledge.shared, often)
 
 
 def sentence(part: CategoryMarginals) -> str:
@@ -79,30 +115,54 @@ def sentence(part: CategoryMarginals) -> str:
     return words + "."
 
 
-def _page(known: KnowledgeMarginals, pictures: dict[str, str]) -> str:
+def _page(
+    known: KnowledgeMarginals,
+    pictures: dict[str, Pictures],
+    shared: Drawn | None,
+    with_tables: set[str],
+) -> str:
     sources = "; ".join(
         f"{source.name}, {source.rooms} rooms ({source.license}, {source.copyright})"
         for source in known.sources
     )
+    chosen = any(of_category.curves for of_category in pictures.values())
     sections = [
         section(
             part.category,
             part.category,
             paragraph(sentence(part)),
-            '<div class="plots wide">',
-            plot(pictures[part.category], f"What is known of {part.category}"),
-            "</div>\n",
+            _drawn(pictures[part.category].named.values()),
+            "" if pictures[part.category].curves or not chosen else paragraph(TOO_FEW, "note"),
             _counts(part),
+            _files(part.category) if part.category in with_tables else "",
         )
         for part in known.categories
     ]
+    named = [(part.category, part.category) for part in known.categories]
+    if shared:
+        sections.insert(0, section("all", ALL, paragraph(SHARED), _drawn([shared])))
+        named.insert(0, ("all", ALL))
     return document(
         f"{TITLE} SceneGen",
         f"<header><h1>{TITLE}</h1>\n{paragraph(INTRODUCTION)}"
+        f"{paragraph(CHOICES) if chosen else ''}"
         f"{paragraph(f'Learned from {sources}.', 'note')}"
-        f"{contents([(part.category, part.category) for part in known.categories])}</header>\n"
-        + "".join(sections),
+        f"{contents(named)}</header>\n" + "".join(sections),
     )
+
+
+def _drawn(pictures: Iterable[Drawn]) -> str:
+    figures = "".join(plot(drawn.picture, drawn.caption) for drawn in pictures)
+    return f'<div class="plots large">{figures}</div>\n'
+
+
+def _files(category: str) -> str:
+    """Links to the tables of a category."""
+    links = " · ".join(
+        f'<a href="{TABLES}/{file_stem(category)}-{kind}.csv">{kind} as CSV</a>'
+        for kind in (CURVES, SURFACES)
+    )
+    return f'<p class="files">{links}</p>\n'
 
 
 def _counts(part: CategoryMarginals) -> str:

@@ -46,6 +46,7 @@ td.best { font-weight: 700; }
 .plots figure { margin: 0; background: #fff; border: 1px solid var(--line); border-radius: .5rem;
   padding: .5rem; }
 .plots svg { display: block; width: 100%; height: auto; }
+.large { grid-template-columns: repeat(auto-fill, minmax(min(100%, 34rem), 1fr)); }
 .wide { display: block; max-width: 46rem; }
 .wide + details { margin-top: .5rem; }
 """
