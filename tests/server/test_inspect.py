@@ -4,7 +4,9 @@ from __future__ import annotations
 
 import json
 import re
+from contextlib import redirect_stdout
 from dataclasses import replace
+from io import StringIO
 from pathlib import Path
 
 import numpy as np
@@ -22,11 +24,17 @@ from tests.server.driving import browser
 CATEGORIES = ["Bed", "Chair", "Decor", "Picture", "Sofa", "Storage", "Table", "TV"]
 
 
-def test_every_category_has_a_picture_and_its_counts(
-    tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
-    out = tmp_path / "deep" / "known"
-    assert main(["inspect", "--out", str(out)]) == 0
+@pytest.fixture(scope="module")
+def shipped(tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, str]:
+    """The page of what ships, in a folder that was not there, and what the command said."""
+    out = tmp_path_factory.mktemp("inspected") / "deep" / "known"
+    with redirect_stdout(StringIO()) as said:
+        assert main(["inspect", "--out", str(out)]) == 0
+    return out, said.getvalue()
+
+
+def test_every_category_has_a_picture_and_its_counts(shipped: tuple[Path, str]) -> None:
+    out, said = shipped
     page = (out / "index.html").read_text(encoding="utf-8")
     assert "<script" not in page
     for name in CATEGORIES:
@@ -35,9 +43,8 @@ def test_every_category_has_a_picture_and_its_counts(
             picture = (out / f"{name.lower()}{end}.svg").read_text(encoding="utf-8")
             assert picture.startswith("<svg")
     assert not (out / "tables").exists()
-    printed = capsys.readouterr().out
-    assert printed.startswith("Bed: in a corner ")
-    assert printed.count("faces the middle of the room") == 4  # bed, chair, sofa, TV
+    assert said.startswith("Bed: in a corner ")
+    assert said.count("faces the middle of the room") == 4  # bed, chair, sofa, TV
 
 
 def test_curves_are_named_in_plain_words_the_strongest_first(tmp_path: Path) -> None:
@@ -116,9 +123,8 @@ def written(out: Path, knowledge: Knowledge) -> str:
     return (out / "index.html").read_text(encoding="utf-8")
 
 
-def test_shares_and_counts_agree_with_each_other(tmp_path: Path) -> None:
-    main(["inspect", "--out", str(tmp_path)])
-    known = json.loads((tmp_path / "knowledge.json").read_text(encoding="utf-8"))
+def test_shares_and_counts_agree_with_each_other(shipped: tuple[Path, str]) -> None:
+    known = json.loads((shipped[0] / "knowledge.json").read_text(encoding="utf-8"))
     examples = {name: part.examples for name, part in default_knowledge().categories.items()}
     for part in known["categories"]:
         assert part["examples"] == examples[part["category"]]
