@@ -20,7 +20,6 @@ from server.effects import (
     Push,
     Save,
     Send,
-    SendAnswer,
     Solve,
     StopSolving,
     StopWeighing,
@@ -29,7 +28,7 @@ from server.effects import (
 )
 from server.engine import Cancel, Engine
 from server.incoming import Incoming
-from server.outbox import Frame, Outbox
+from server.outbox import Frame, Outbox, Unit
 from server.protocol import AssetHeader, Hello, Problem, ServerMessage
 from server.results import Step as ResultStep
 from server.results import examined, furnished, graphed, remedied, solved, weighed
@@ -96,8 +95,6 @@ class Connection:
         match deed:
             case Send():
                 self._outbox.put(deed.message)
-            case SendAnswer():
-                self._outbox.put(*deed.maps, deed.answer)
             case Push():
                 glb = self._world.assets.get(deed.digest)
                 if glb is not None:
@@ -117,7 +114,7 @@ class Connection:
                 self._submit("furnish", partial(make_models, world, wish), furnished)
             case Solve():
                 self._engine.abandon(self._session.id, "remedy")
-                self._submit("solve", partial(solve_ask, world, wish), solved)
+                self._submit("solve", partial(solve_ask, world, wish, self._tell_unit), solved)
             case FindRemedy():
                 self._submit("remedy", partial(seek_remedy, world, wish), remedied)
             case Examine():
@@ -148,7 +145,11 @@ class Connection:
 
     def _tell(self, message: ServerMessage) -> None:
         """Send a message from another thread."""
-        self._loop.call_soon_threadsafe(self._outbox.put, message)
+        self._tell_unit((message,))
+
+    def _tell_unit(self, unit: Unit) -> None:
+        """Send frames that travel together from another thread."""
+        self._loop.call_soon_threadsafe(self._outbox.put, *unit)
 
     def _failed(self, error: Exception) -> None:
         if isinstance(error, SceneGenError):

@@ -8,7 +8,6 @@ from scenegen_core.placement.solve import Solution
 from scenegen_core.scene.model import Scene
 from server.looks import Look
 from server.protocol import Answer, Inspect, Query, ServerMessage
-from server.wire import Binary
 
 
 @dataclass(frozen=True, slots=True)
@@ -25,14 +24,6 @@ class Send:
     """Send a message."""
 
     message: ServerMessage
-
-
-@dataclass(frozen=True, slots=True)
-class SendAnswer:
-    """Send an answer behind its heat maps, all of them or none."""
-
-    answer: Answer
-    maps: tuple[Binary, ...]
 
 
 @dataclass(frozen=True, slots=True)
@@ -72,7 +63,6 @@ class FindRemedy:
     query: Query
     scene: Scene
     answer: Answer
-    maps: tuple[Binary, ...]
 
 
 @dataclass(frozen=True, slots=True)
@@ -112,6 +102,6 @@ class DrawGraph:
 
 Work = Furnish | Solve | FindRemedy | Examine | Weigh | DrawGraph
 """What takes long: a result comes of it."""
-Deed = Send | SendAnswer | Push | StopSolving | StopWeighing | Work
+Deed = Send | Push | StopSolving | StopWeighing | Work
 """What is begun at once and waits for nothing."""
 Effect = Save | Deed

@@ -14,8 +14,6 @@ from typing import TypeVar
 from scenegen_core.placement.answer import Cancelled
 
 T = TypeVar("T")
-Cancel = Callable[[], bool]
-"""Says whether the work is superseded; long work asks it now and then."""
 Then = Callable[[], None]
 """What is to be done on the event loop when the work is over."""
 
@@ -34,6 +32,25 @@ class Job:
     """Nobody waits for it any more."""
     superseded: Event
     """Newer work of its kind waits."""
+
+
+@dataclass(frozen=True, slots=True)
+class Cancel:
+    """Says whether work should stop; long work asks it now and then."""
+
+    dropped: Event
+    superseded: Event
+    patience: float
+    begun: float
+
+    def __call__(self) -> bool:
+        """Does nobody wait for it, or has it taken too long while newer work waits?"""
+        too_long = monotonic() - self.begun > self.patience
+        return self.dropped.is_set() or (self.superseded.is_set() and too_long)
+
+    def at_once(self) -> bool:
+        """Does nobody wait for it, or is there newer work?"""
+        return self.dropped.is_set() or self.superseded.is_set()
 
 
 class Engine:
@@ -70,7 +87,8 @@ class Engine:
         if running is not None:
             running.superseded.set()
         dropped, superseded = Event(), Event()
-        run = partial(_run, work, (dropped, superseded, self._patience), done, failed)
+        cancel = partial(Cancel, dropped, superseded, self._patience)
+        run = partial(_run, work, cancel, done, failed)
         self._waiting.setdefault(session, {})[kind] = Job(session, kind, run, dropped, superseded)
         self._start()
 
@@ -130,20 +148,13 @@ class Engine:
 
 def _run(
     work: Callable[[Cancel], T],
-    signals: tuple[Event, Event, float],
+    cancel: Callable[[float], Cancel],
     done: Callable[[T], None],
     failed: Callable[[Exception], None],
 ) -> Then:
     """Do the work on this thread."""
-    dropped, superseded, patience = signals
-    begun = monotonic()
-
-    def cancelled() -> bool:
-        too_long = monotonic() - begun > patience
-        return dropped.is_set() or (superseded.is_set() and too_long)
-
     try:
-        return partial(done, work(cancelled))
+        return partial(done, work(cancel(monotonic())))
     except Cancelled:
         return _nothing
     except Exception as error:  # noqa: BLE001 (whatever it is, the page must hear of it)

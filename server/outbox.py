@@ -13,6 +13,7 @@ from server.protocol import (
     Graph,
     HeatMapHeader,
     Inspected,
+    Maps,
     Matters,
     Models,
     ServerMessage,
@@ -32,7 +33,7 @@ class Outbox:
 
     Acknowledgements, problems and the like are never lost and go first, so that a result never
     overtakes the acknowledgement of its revision. Results are kept by kind (a model by its
-    digest): a newer one takes the place of the one that waits.
+    digest): a newer one replaces the one that waits, and goes last.
     """
 
     def __init__(self) -> None:
@@ -48,7 +49,7 @@ class Outbox:
         if key is None:
             self._commands.append(unit)
         else:
-            self._newest[key] = _merged(self._newest.get(key), unit)
+            self._newest[key] = _merged(self._newest.pop(key, None), unit)
         self._update()
 
     async def get(self) -> Unit:
@@ -80,12 +81,14 @@ def _set(event: asyncio.Event, *, on: bool) -> None:
 def _key(frame: Frame) -> str | None:
     """What a frame is the newest of; None for commands."""
     match frame:
-        case Answer() | Inspected() | Weighing() | Matters() | Graph() | Models():
+        case Answer() | Maps() | Inspected() | Weighing() | Matters() | Graph() | Models():
             return type(frame).__name__
         case Binary(header=AssetHeader(digest=digest)):
             return digest
         case Binary(header=HeatMapHeader()):
-            raise TypeError("a heat map travels with its answer; put them together")
+            raise TypeError(
+                "a heat map travels with the message that ends it; put them together"
+            )
         case _:
             return None
 

@@ -262,11 +262,7 @@ class NoGoodPlace(Struct, frozen=True):
 
 
 class Answer(Message, frozen=True, tag="answer"):
-    """The placements for the query of an ask.
-
-    Its heat maps come as binary frames right before it, with the same ask and revision: when an
-    answer is there, so are all of its maps.
-    """
+    """The placements for the query of an ask; the heat maps of its revision have come before."""
 
     ask: str
     revision: Revision
@@ -277,6 +273,16 @@ class Answer(Message, frozen=True, tag="answer"):
     placements: tuple[Placement, ...]
     no_good_place: NoGoodPlace | None
     elapsed_ms: float
+
+
+class Maps(Message, frozen=True, tag="maps"):
+    """The heat maps that came right before it are of this revision; their answer follows.
+
+    Unless the scene changes again first: while a box is dragged, maps come without answers.
+    """
+
+    ask: str
+    revision: Revision
 
 
 class Elsewhere(Struct, frozen=True):
@@ -404,7 +410,7 @@ class Pong(Message, frozen=True, tag="pong"):
 
 
 ServerMessage = (
-    Welcome | Ack | Models | Answer | Inspected | Weighing | Matters | Graph | Problem | Pong
+    Welcome | Ack | Models | Maps | Answer | Inspected | Weighing | Matters | Graph | Problem | Pong
 )  # fmt: skip
 
 

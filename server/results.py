@@ -6,11 +6,10 @@ from collections.abc import Iterable
 from dataclasses import dataclass, replace
 
 from scenegen_core.placement.solve import Solution
-from server.effects import Deed, FindRemedy, Push, Send, SendAnswer
+from server.effects import Deed, FindRemedy, Push, Send
 from server.looks import Look
 from server.protocol import Answer, Graph, Inspected, Matters, Models
 from server.session import Session, examine, wanted_looks, weigh
-from server.wire import Binary
 
 Step = tuple[Session, tuple[Deed, ...]]
 """Like a session's step; but what comes of a result never has to be stored."""
@@ -30,7 +29,6 @@ class Solved:
 
     solution: Solution
     answer: Answer
-    maps: tuple[Binary, ...]
 
 
 @dataclass(frozen=True, slots=True)
@@ -38,7 +36,6 @@ class Remedied:
     """The answer that there is no place, once more, with what would give one."""
 
     answer: Answer
-    maps: tuple[Binary, ...]
 
 
 def furnished(session: Session, result: Furnished) -> Step:
@@ -63,11 +60,11 @@ def solved(session: Session, result: Solved) -> Step:
     if ask is None or answer.ask != ask.id:
         return session, ()
     session, pushes = _push(session, (answer.asset,))
-    sent = (*pushes, SendAnswer(answer, result.maps))
+    sent = (*pushes, Send(answer))
     if answer.revision != session.revision:
         return session, sent
     waiting = replace(session, solution=result.solution)
-    seek = _seek(waiting, answer, result.maps)
+    seek = _seek(waiting, answer)
     return replace(waiting, inspect=None), (*sent, *examine(waiting), *weigh(waiting), *seek)
 
 
@@ -77,7 +74,7 @@ def remedied(session: Session, result: Remedied) -> Step:
     current = session.ask is not None and result.answer.ask == session.ask.id
     if not current or result.answer.revision != session.revision or found is None:
         return session, ()
-    return session, (SendAnswer(result.answer, result.maps),) if found.remedy else ()
+    return session, (Send(result.answer),) if found.remedy else ()
 
 
 def weighed(session: Session, message: Matters) -> Step:
@@ -87,14 +84,14 @@ def weighed(session: Session, message: Matters) -> Step:
     return replace(session, weigh=None), (Send(message),)
 
 
-def _seek(session: Session, answer: Answer, maps: tuple[Binary, ...]) -> tuple[Deed, ...]:
+def _seek(session: Session, answer: Answer) -> tuple[Deed, ...]:
     """Look for a remedy if there is no place."""
     if answer.no_good_place is None:
         return ()
     assert session.ask is not None
     assert session.ask.query is not None
     assert session.scene is not None
-    return (FindRemedy(session.ask.query, session.scene, answer, maps),)
+    return (FindRemedy(session.ask.query, session.scene, answer),)
 
 
 def examined(session: Session, message: Inspected) -> Step:

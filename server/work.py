@@ -6,14 +6,15 @@ from collections.abc import Callable
 from time import perf_counter
 
 from scenegen_core.graph.scene_graph import scene_graph
-from scenegen_core.placement.answer import Cancelled
+from scenegen_core.placement.answer import Cancelled, HeatMap
 from scenegen_core.placement.remedies import find_remedy
 from scenegen_core.placement.solve import solve
 from scenegen_core.placement.what_if import what_matters
 from server.effects import DrawGraph, Examine, FindRemedy, Furnish, Solve, Weigh
 from server.engine import Cancel
 from server.looks import look
-from server.protocol import Graph, Inspected, Matters, Weighing
+from server.outbox import Unit
+from server.protocol import Graph, Inspected, Maps, Matters, Weighing
 from server.results import Furnished, Remedied, Solved
 from server.translate import (
     answer_message,
@@ -27,11 +28,21 @@ from server.translate import (
 from server.world import World
 
 
-def solve_ask(world: World, wish: Solve, cancelled: Cancel) -> Solved:
-    """Placements, heat maps and the model of the object."""
+def solve_ask(world: World, wish: Solve, tell: Callable[[Unit], None], cancelled: Cancel) -> Solved:
+    """Placements, heat maps and the model of the object.
+
+    ``tell`` sends the heat maps ahead of all else. Then work goes on only if nothing newer waits:
+    while a box is dragged maps follow it, and the offers come when it rests.
+    """
+
+    def drawn(maps: tuple[HeatMap, ...]) -> bool:
+        frames = (heat_map_frame(one, ask=wish.ask, revision=wish.revision) for one in maps)
+        tell((*frames, Maps(ask=wish.ask, revision=wish.revision)))
+        return not cancelled.at_once()
+
     begin = perf_counter()
     query = query_of(wish.query, world.catalogue)
-    solution = solve(wish.scene, query, world.knowledge, cancelled=cancelled)
+    solution = solve(wish.scene, query, world.knowledge, cancelled=cancelled, drawn=drawn)
     found = solution.answer
     asset = world.assets.digest(look(found.category, found.size, item=wish.query.item))
     answer = answer_message(
@@ -41,18 +52,14 @@ def solve_ask(world: World, wish: Solve, cancelled: Cancel) -> Solved:
         asset=asset,
         elapsed=perf_counter() - begin,
     )
-    maps = tuple(
-        heat_map_frame(heat_map, ask=wish.ask, revision=wish.revision)
-        for heat_map in found.heat_maps
-    )
-    return Solved(solution, answer, maps)
+    return Solved(solution, answer)
 
 
 def seek_remedy(world: World, wish: FindRemedy, cancelled: Cancel) -> Remedied:
     """The same answer with the nearest thing that would give a place."""
     query = query_of(wish.query, world.catalogue)
     remedy = find_remedy(wish.scene, query, world.knowledge, cancelled=cancelled)
-    return Remedied(with_remedy(wish.answer, remedy), wish.maps)
+    return Remedied(with_remedy(wish.answer, remedy))
 
 
 def weigh(

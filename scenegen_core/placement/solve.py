@@ -17,6 +17,7 @@ from scenegen_core.placement.alternatives import Choice, choose
 from scenegen_core.placement.answer import (
     Answer,
     Cancelled,
+    HeatMap,
     Inspection,
     NoGoodPlace,
     Pose,
@@ -57,9 +58,12 @@ def solve(
     knowledge: Knowledge,
     *,
     cancelled: Callable[[], bool] = lambda: False,
+    drawn: Callable[[tuple[HeatMap, ...]], bool] = lambda _: True,
 ) -> Solution:
     """Where the object would go in the scene.
 
+    ``drawn`` is given the heat maps as soon as there are any, long before the offers and reasons,
+    and says whether anybody waits for those.
     Raises KnowledgeError if there is too little knowledge of the category, SceneError if the size
     is none, Cancelled as soon as ``cancelled`` says that nobody waits any more.
     """
@@ -85,6 +89,9 @@ def solve(
     explainer = Explainer(model, around, proposals.candidates[possible]) if len(possible) else None
     scores -= explainer.baseline if explainer else 0.0
     bounds = scale(scores[possible])
+    maps = heat_maps(proposals, scores, bounds)
+    if not drawn(maps):
+        raise Cancelled
     rng = np.random.default_rng(query.seed)
     choice = choose(
         proposals,
@@ -99,7 +106,7 @@ def solve(
         category=query.category,
         size=size,
         poses=_poses(proposals, choice, scores, bounds, around, explainer, learnt),
-        heat_maps=heat_maps(proposals, scores, bounds),
+        heat_maps=maps,
         no_good_place=_no_good_place(verdict, choice, query, size),
     )
     inspector = Inspector(

@@ -86,11 +86,13 @@ def separation(
     dx, dy = x - other[0], y - other[1]
     ac = abs(cos * other[2] + sin * other[3])
     as_ = abs(sin * other[2] - cos * other[3])
-    return max(
-        abs(dx * other[2] + dy * other[3]) - other[4] - depth * ac - width * as_,
-        abs(dy * other[2] - dx * other[3]) - other[5] - depth * as_ - width * ac,
-        abs(dx * cos + dy * sin) - depth - other[4] * ac - other[5] * as_,
-        abs(dx * sin - dy * cos) - width - other[4] * as_ - other[5] * ac,
+    return float(
+        max(
+            abs(dx * other[2] + dy * other[3]) - other[4] - depth * ac - width * as_,
+            abs(dy * other[2] - dx * other[3]) - other[5] - depth * as_ - width * ac,
+            abs(dx * cos + dy * sin) - depth - other[4] * ac - other[5] * as_,
+            abs(dx * sin - dy * cos) - width - other[4] * as_ - other[5] * ac,
+        )
     )
 
 

@@ -74,6 +74,9 @@ def fail(_: Cancel) -> Result:
     raise ValueError("no floor")
 
 
+NEVER = Cancel(Event(), Event(), patience=3600, begun=0)
+
+
 def test_work_is_done_off_the_event_loop_and_its_result_comes_back() -> None:
     async def story(desk: Desk) -> None:
         desk.submit("a", "solve", lambda _: current_thread().name)
@@ -111,7 +114,7 @@ def test_in_a_stream_of_edits_a_result_on_the_way_counts_and_then_the_newest() -
 def test_the_result_of_work_that_was_dropped_while_it_ran_is_never_heard_of() -> None:
     async def story(desk: Desk) -> None:
         deaf = Gate("older")
-        desk.submit("a", "solve", lambda _: deaf.work(lambda: False))
+        desk.submit("a", "solve", lambda _: deaf.work(NEVER))
         await deaf.has_begun()
         desk.engine.abandon("a", "solve")
         desk.submit("a", "solve", returning("newer"))
@@ -160,7 +163,7 @@ def test_a_session_in_a_hurry_leaves_a_thread_to_the_others() -> None:
 
     async def story(desk: Desk) -> None:
         deaf = Gate("older")
-        desk.submit("a", "solve", lambda _: deaf.work(lambda: False))
+        desk.submit("a", "solve", lambda _: deaf.work(NEVER))
         await deaf.has_begun()
         desk.submit("a", "solve", returning("newer"))
         desk.submit("b", "solve", returning("other session"))

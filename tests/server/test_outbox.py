@@ -14,6 +14,7 @@ from server.protocol import (
     Graph,
     HeatMapHeader,
     Inspected,
+    Maps,
     Models,
     Pong,
     Problem,
@@ -61,11 +62,13 @@ def test_acknowledgements_and_problems_all_arrive_in_order_before_any_result() -
     assert units[:3] == [(command,) for command in commands]
 
 
-def test_a_newer_answer_takes_the_place_of_the_older_one_and_all_of_its_maps() -> None:
+def test_newer_maps_take_the_place_of_all_older_ones_and_stay_before_their_answer() -> None:
     outbox = Outbox()
-    outbox.put(heat_map(1), heat_map(1), answer(1))
-    outbox.put(heat_map(2), answer(2))
-    assert drained(outbox) == [(heat_map(2), answer(2))]
+    outbox.put(heat_map(1), heat_map(1), Maps("a", 1))
+    outbox.put(answer(1))
+    outbox.put(heat_map(2), Maps("a", 2))
+    outbox.put(answer(2))
+    assert drained(outbox) == [(heat_map(2), Maps("a", 2)), (answer(2),)]
 
 
 def test_of_graphs_and_inspections_only_the_newest_waits() -> None:
@@ -101,8 +104,8 @@ def test_a_close_comes_behind_what_was_to_be_said() -> None:
     assert drained(outbox) == [(Problem("bad_json", "no"),), (Close(4401, "enough"),)]
 
 
-def test_a_heat_map_cannot_be_sent_without_its_answer() -> None:
-    with pytest.raises(TypeError, match="travels with its answer"):
+def test_a_heat_map_cannot_be_sent_without_what_ends_it() -> None:
+    with pytest.raises(TypeError, match="travels with the message that ends it"):
         Outbox().put(heat_map(1))
 
 

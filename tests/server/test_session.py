@@ -21,7 +21,6 @@ from server.effects import (
     Push,
     Save,
     Send,
-    SendAnswer,
     Solve,
     StopSolving,
     StopWeighing,
@@ -294,13 +293,13 @@ def result(world: World) -> Solved:
     """The answer to SOFA in revision 4 of the drawn room."""
     solution = solve(scene_of(SCENE), CoreQuery("Sofa"), world.knowledge)
     answer = Answer("a", 4, "Sofa", (1.0, 2.0, 0.8), DIGEST, (), None, 1.0)
-    return Solved(solution, answer, ())
+    return Solved(solution, answer)
 
 
 def test_an_answer_comes_behind_the_model_of_its_object(result: Solved) -> None:
     session, _ = after(DRAWN, SOFA)
     session, effects = solved(session, result)
-    assert effects == (Push(DIGEST), SendAnswer(result.answer, ()))
+    assert effects == (Push(DIGEST), Send(result.answer))
     assert session.assets == {DIGEST}
 
 
@@ -310,7 +309,7 @@ def test_while_a_box_is_dragged_an_answer_on_the_way_is_sent_but_nothing_examine
     pose = Inspect(id="i", center=(1.0, 1.0, 0.4), heading=0.0)
     session, _ = after(DRAWN, SOFA, PutBox(seq=1, box=TABLE), pose)
     session, deeds = solved(session, result)
-    assert deeds[-1] == SendAnswer(result.answer, result.maps)
+    assert deeds[-1] == Send(result.answer)
     assert session.inspect == pose
     assert session.solution is None
 
@@ -414,17 +413,17 @@ def test_where_there_is_no_place_a_remedy_is_sought_and_the_answer_comes_again(
     session, _ = after(DRAWN, SOFA)
     none = NoGoodPlace(rule="room", text="No good place.", remedy=None)
     answer = msgspec.structs.replace(result.answer, no_good_place=none)
-    session, deeds = solved(session, Solved(result.solution, answer, ()))
+    session, deeds = solved(session, Solved(result.solution, answer))
     assert SOFA.query is not None
     assert DRAWN.scene is not None
-    assert deeds[-1] == FindRemedy(SOFA.query, DRAWN.scene, answer, ())
+    assert deeds[-1] == FindRemedy(SOFA.query, DRAWN.scene, answer)
     remedy = Remedy("box", "Without the table.", (1.0, 1.0, 0.4), 0.0, None, "table", None)
     helped = with_remedy(answer, remedy_of(remedy))
     assert helped.no_good_place == msgspec.structs.replace(none, remedy=remedy)
-    assert remedied(session, Remedied(helped, ())) == (session, (SendAnswer(helped, ()),))
-    assert remedied(session, Remedied(answer, ())) == (session, ())  # nothing helps
+    assert remedied(session, Remedied(helped)) == (session, (Send(helped),))
+    assert remedied(session, Remedied(answer)) == (session, ())  # nothing helps
     edited_since, _ = after(session, PutBox(seq=1, box=TABLE))
-    assert remedied(edited_since, Remedied(helped, ())) == (edited_since, ())
+    assert remedied(edited_since, Remedied(helped)) == (edited_since, ())
 
 
 def remedy_of(message: Remedy) -> CoreRemedy:

@@ -24,11 +24,11 @@ const place = (change: Partial<Action & { readonly type: "place" }> = {}): Actio
   ...change,
 });
 const answered = (state: State, revision = 1, change: Parameters<typeof answer>[2] = {}): State =>
-  play(state, {
-    type: "answer",
-    answer: answer(state.placing?.ask ?? "none", revision, change),
-    heatMaps: [MAP],
-  });
+  play(
+    state,
+    { type: "maps", ask: state.placing?.ask ?? "none", revision, heatMaps: [MAP] },
+    { type: "answer", answer: answer(state.placing?.ask ?? "none", revision, change) },
+  );
 const asking = play(begin(), place());
 const offered = answered(asking);
 const dragTo = (x: number, y: number, heading = 0): Action => ({
@@ -63,13 +63,30 @@ describe("SceneGen", () => {
   });
 
   test("an answer to another ask is dropped", () => {
-    const stale = play(offered, { type: "answer", answer: answer("ask-0", 9), heatMaps: [] });
+    const stale = play(offered, { type: "answer", answer: answer("ask-0", 9) });
     expect(stale.placing).toBe(offered.placing);
   });
 
   test("an answer of an older revision than the last is dropped", () => {
     const newer = answered(asking, 7);
     expect(answered(newer, 6).placing).toBe(newer.placing);
+  });
+
+  test("maps follow a drag ahead of their answer, and never go back", () => {
+    const [older, newer] = [
+      { ...MAP, min: 1 },
+      { ...MAP, min: 2 },
+    ];
+    const ask = offered.placing?.ask ?? "";
+    const ahead = play(offered, { type: "maps", ask, revision: 5, heatMaps: [newer] });
+    expect(ahead.placing?.heatMaps).toEqual([newer]);
+    const late = play(ahead, { type: "maps", ask, revision: 4, heatMaps: [older] });
+    expect(late.placing).toBe(ahead.placing);
+    const other = play(ahead, { type: "maps", ask: "ask-0", revision: 9, heatMaps: [older] });
+    expect(other.placing).toBe(ahead.placing);
+    const again = play(ahead, { type: "set-size", size: [1, 2.4, 0.9] });
+    const anew = { type: "maps", ask: again.placing?.ask ?? "", revision: 1 } as const;
+    expect(play(again, { ...anew, heatMaps: [older] }).placing?.heatMaps).toEqual([older]);
   });
 
   test("after an edit the old map stays while the new one is computed", () => {
@@ -399,7 +416,6 @@ test("in another session the question is asked again, since its revisions start 
   const fresh = play(moved, {
     type: "answer",
     answer: answer(moved.placing?.ask ?? "", 0),
-    heatMaps: [],
   });
   expect(fresh.placing?.answer?.revision).toBe(0);
 });

@@ -13,7 +13,7 @@ const place: Action = {
 };
 const asking = play(begin([box("tv")]), place);
 const askOf = (state: State): string => state.placing?.ask ?? "";
-const offered = play(asking, { type: "answer", answer: answer(askOf(asking), 0), heatMaps: [] });
+const offered = play(asking, { type: "answer", answer: answer(askOf(asking), 0) });
 const FOUND: Counterfactual = {
   box: "tv",
   center: [4, 3, 0.4],

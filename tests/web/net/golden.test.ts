@@ -83,6 +83,7 @@ describe("what the page understands", () => {
     const header = golden<HeatMapHeader>("heat_map");
     const [rows, columns] = header.shape;
     live.binary(frame(header, Array(rows * columns).fill(7)));
+    hear("maps");
     hear("answer");
     const { placing } = store.getState();
     const [first] = golden<Answer>("answer").placements;

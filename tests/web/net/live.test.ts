@@ -185,6 +185,7 @@ describe("placing", () => {
     socket.says(frame({ ...HEAT_MAP, ask: id }, [1, 2, 3, 4, 5, 6]));
     socket.says(frame({ ...HEAT_MAP, ask: "older" }, [1, 2, 3, 4, 5, 6]));
     expect(store.getState().placing?.heatMaps).toEqual([]);
+    socket.says({ type: "maps", ask: id, revision: 1 });
     socket.says(answer(id, 1));
     expect(store.getState().placing?.heatMaps).toMatchObject([{ surface: "floor", rows: 2 }]);
     expect(store.getState().placing?.pose?.center).toEqual([1, 1, 0.4]);

@@ -24,7 +24,7 @@ const drag = (x: number): Action => ({
 });
 const asking = play(begin(), place);
 const ask = asking.placing?.ask ?? "";
-const offered = play(asking, { type: "answer", answer: answer(ask, 1), heatMaps: [] });
+const offered = play(asking, { type: "answer", answer: answer(ask, 1) });
 
 function questions(start: Questions, ...states: readonly State[]) {
   const messages: Question[] = [];
@@ -95,7 +95,7 @@ describe("inspecting a dragged ghost", () => {
   test("a newer answer makes it ask again, even while the last is on its way", () => {
     const dragged = play(offered, drag(1));
     const { now } = questions(asked, dragged);
-    const newer = play(dragged, { type: "answer", answer: answer(ask, 2), heatMaps: [] });
+    const newer = play(dragged, { type: "answer", answer: answer(ask, 2) });
     expect(questions(now, newer).messages).toMatchObject([
       { type: "inspect", center: [1, 2, 0.4] },
     ]);

@@ -18,7 +18,7 @@ const place: Action = {
 function answered(change = {}): readonly [State, Action] {
   const asked = play(begin(), place);
   const value = answer(asked.placing?.ask ?? "", 0, change);
-  return [asked, { type: "answer", answer: value, heatMaps: [] }];
+  return [asked, { type: "answer", answer: value }];
 }
 
 describe("placing", () => {

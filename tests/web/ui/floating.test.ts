@@ -50,7 +50,6 @@ test("a sofa is placed on the second of the places, with its reason as the sente
     answer: answer(asked.placing?.ask ?? "", 1, {
       placements: [placement(1), placement(2, { center: [4, 3, 0.4], sentence: "By the window" })],
     }),
-    heatMaps: [],
   });
   const shown = panel(told, "2");
   expect(shown.title).toBe("By the window.");

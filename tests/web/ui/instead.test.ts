@@ -13,7 +13,7 @@ const asking = play(
   { type: "place", category: "Sofa", item: null, size: null, mode: "scenegen", view: [2, 2] },
 );
 const ask = asking.placing?.ask ?? "";
-const offered = play(asking, { type: "answer", answer: answer(ask, 0), heatMaps: [] });
+const offered = play(asking, { type: "answer", answer: answer(ask, 0) });
 const HERE = { center: [3, 1, 0.4], heading: 0 } as const;
 const THERE = { center: [3.3, 1, 0.4], heading: 0 } as const;
 
@@ -90,7 +90,7 @@ describe("no good place", () => {
     };
     const none = { rule: "room", text: "No good place for a sofa.", remedy: found };
     const value = answer(ask, 0, { placements: [], no_good_place: none });
-    return play(asking, { type: "answer", answer: value, heatMaps: [] });
+    return play(asking, { type: "answer", answer: value });
   };
 
   test.each([

@@ -20,7 +20,7 @@ function placing(): State {
   const ask = desk.state.placing?.ask ?? "";
   const far = placement(2, { center: [3.5, 3, 0.4], heading: Math.PI });
   const near = placement(1, { center: [1.5, 1.5, 0.4] });
-  desk.act({ type: "answer", answer: answer(ask, 0, { placements: [near, far] }), heatMaps: [] });
+  desk.act({ type: "answer", answer: answer(ask, 0, { placements: [near, far] }) });
   return desk.state;
 }
 

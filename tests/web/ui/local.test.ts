@@ -14,7 +14,7 @@ function placeSofa(desk: Desk): void {
   });
   const ask = desk.state.placing?.ask ?? "";
   const spot = placement(1, { center: [1.5, 1.5, 0.4], sentence: "By the window." });
-  desk.act({ type: "answer", answer: answer(ask, 0, { placements: [spot] }), heatMaps: [] });
+  desk.act({ type: "answer", answer: answer(ask, 0, { placements: [spot] }) });
 }
 
 describe("the first minute", () => {

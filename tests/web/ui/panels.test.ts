@@ -27,7 +27,7 @@ function asked(mode: "manual" | "scenegen" = "scenegen"): State {
 function answeredWith(change: Parameters<typeof answer>[2]): State {
   const state = asked();
   const value = answer(state.placing?.ask ?? "", 0, change);
-  return play(state, { type: "answer", answer: value, heatMaps: [] });
+  return play(state, { type: "answer", answer: value });
 }
 
 const reason = (text: string, contribution: number): Reason => ({

@@ -35,7 +35,6 @@ it("asks why not there where the bare floor is tapped, and the ghost keeps its t
   const offered = play(asking, {
     type: "answer",
     answer: answer(asking.placing?.ask ?? "", 0),
-    heatMaps: [],
   });
   expect(tap(offered, { kind: "look" }, down)).toContainEqual({
     type: "drag-ghost",

@@ -2,10 +2,10 @@
 import type { Answer, Inspected } from "../net/protocol.gen";
 import { onAlternative } from "./placing";
 import { poseAt, resized } from "./resting";
-import type { Connection, HeatMap, Placing, Point, Pose, State } from "./state";
+import type { Connection, MapsAction, Placing, Point, Pose, State } from "./state";
 
 /** The answer to the ask in force; others, and those older than the last, change nothing. */
-export function answered(state: State, answer: Answer, heatMaps: readonly HeatMap[]): State {
+export function answered(state: State, answer: Answer): State {
   const { placing, connection } = state;
   if (placing === null || answer.ask !== placing.ask) return state;
   const last = placing.answer;
@@ -14,7 +14,6 @@ export function answered(state: State, answer: Answer, heatMaps: readonly HeatMa
   const next: Placing = {
     ...placing,
     answer,
-    heatMaps,
     size: answer.size,
     asset: answer.asset,
     pose: pose === null ? null : resized(category, placing.size, answer.size, pose),
@@ -23,6 +22,15 @@ export function answered(state: State, answer: Answer, heatMaps: readonly HeatMa
   };
   const follows = next.mode === "scenegen" && (next.alternative !== null || pose === null);
   return { ...state, placing: follows ? onAlternative(next, next.alternative ?? 1) : next };
+}
+
+/** Heat maps ahead of their answer; older ones than those shown change nothing. */
+export function mapped(state: State, maps: MapsAction): State {
+  const { placing } = state;
+  if (placing === null || maps.ask !== placing.ask) return state;
+  const { heatMaps, ask, revision } = maps;
+  if (placing.mapsOf?.ask === ask && revision < placing.mapsOf.revision) return state;
+  return { ...state, placing: { ...placing, heatMaps, mapsOf: { ask, revision } } };
 }
 
 /** Whether the server knew, when it answered, all that it knows and is to know now. */
@@ -50,7 +58,14 @@ export function inspected(state: State, value: Inspected, pose: Pose): State {
 export function askRefused(state: State, text: string): State {
   const { placing } = state;
   if (placing === null) return state;
-  const bare = { answer: null, heatMaps: [], inspected: null, inspectedPose: null, weigh: null };
+  const bare = {
+    answer: null,
+    heatMaps: [],
+    mapsOf: null,
+    inspected: null,
+    inspectedPose: null,
+    weigh: null,
+  };
   return { ...state, placing: { ...placing, ...bare, computing: false, problem: text } };
 }
 
@@ -77,7 +92,7 @@ export function inAnotherRoom(state: State): State {
   const byHand = placing.mode === "manual";
   const pose = byHand ? poseAt(scene, placing.category, placing.size, middle) : null;
   const alternative = byHand ? null : 1;
-  const bare = { answer: null, heatMaps: [], inspected: null, inspectedPose: null };
+  const bare = { answer: null, heatMaps: [], mapsOf: null, inspected: null, inspectedPose: null };
   return { ...next, placing: { ...placing, ...bare, pose, alternative } };
 }
 

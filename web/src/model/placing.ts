@@ -42,6 +42,7 @@ export function place(state: State, wish: Wish): State {
     computing: true,
     answer: null,
     heatMaps: [],
+    mapsOf: null,
     ...UNTOLD,
   };
   return {

@@ -1,6 +1,6 @@
 /** The only thing that makes a new state. */
 import type { SceneRecord } from "../net/protocol.gen";
-import { answered, askRefused, inAnotherRoom, inspected } from "./answers";
+import { answered, askRefused, inAnotherRoom, inspected, mapped } from "./answers";
 import { carried, changeAr, checkPiece, elsewhere, enterAr, leaveAr, useFound } from "./ar";
 import { confirm, followedUp, stopWaiting } from "./confirming";
 import {
@@ -51,6 +51,7 @@ const BY_ITSELF: ReadonlySet<Action["type"]> = new Set([
   "lists",
   "resumed",
   "models",
+  "maps",
   "answer",
   "inspected",
   "weighing",
@@ -174,8 +175,10 @@ function changed(state: State, action: Action): State {
       return resumed(state, action.scene);
     case "models":
       return modelled(state, action.boxes);
+    case "maps":
+      return mapped(state, action);
     case "answer":
-      return answered(state, action.answer, action.heatMaps);
+      return answered(state, action.answer);
     case "inspected":
       return inspected(state, action.inspected, action.pose);
     case "weighing":

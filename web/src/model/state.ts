@@ -109,6 +109,8 @@ export interface Placing {
   readonly answer: Answer | null;
   /** By surface; those of a stale ask or revision never get here. */
   readonly heatMaps: readonly HeatMap[];
+  /** The ask and the revision of the scene that the heat maps are of. */
+  readonly mapsOf: { readonly ask: string; readonly revision: number } | null;
   /** What the server says of a pose that is none of the alternatives, and of which one. */
   readonly inspected: Inspected | null;
   readonly inspectedPose: Pose | null;
@@ -229,6 +231,14 @@ export interface State {
   readonly ar: Ar | null;
 }
 
+/** Heat maps that came ahead of their answer. */
+export interface MapsAction {
+  readonly type: "maps";
+  readonly ask: string;
+  readonly revision: number;
+  readonly heatMaps: readonly HeatMap[];
+}
+
 export type Action =
   // the room
   | { readonly type: "open-scene"; readonly scene: SceneRecord }
@@ -312,7 +322,8 @@ export type Action =
   | { readonly type: "lists"; readonly lists: Lists }
   | { readonly type: "resumed"; readonly scene: SceneRecord }
   | { readonly type: "models"; readonly boxes: Readonly<Record<string, string>> }
-  | { readonly type: "answer"; readonly answer: Answer; readonly heatMaps: readonly HeatMap[] }
+  | MapsAction
+  | { readonly type: "answer"; readonly answer: Answer }
   | { readonly type: "inspected"; readonly inspected: Inspected; readonly pose: Pose }
   | { readonly type: "weighing"; readonly weighing: Weighing }
   | { readonly type: "matters"; readonly matters: Matters }

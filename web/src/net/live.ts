@@ -17,10 +17,10 @@ import {
 } from "./outbox";
 import type {
   Ack,
-  Answer,
   ClientMessage,
   HeatMapHeader,
   Inspected,
+  Maps,
   Problem,
   ServerMessage,
   Welcome,
@@ -117,8 +117,11 @@ export class Live implements Listener {
       case "models":
         dispatch({ type: "models", boxes: message.boxes });
         break;
+      case "maps":
+        this.#maps(message);
+        break;
       case "answer":
-        this.#answer(message);
+        dispatch({ type: "answer", answer: message });
         break;
       case "inspected":
         this.#inspected(message);
@@ -173,13 +176,14 @@ export class Live implements Listener {
     this.#update(this.#ties.store.getState());
   }
 
-  /** Heat maps come just before the answer that they belong to. */
-  #answer(answer: Answer): void {
+  /** Heat maps come just before the message that says that they are all there. */
+  #maps(maps: Maps): void {
+    const { ask, revision } = maps;
     const heatMaps = this.#heatMaps
-      .filter(({ header }) => header.ask === answer.ask && header.revision === answer.revision)
+      .filter(({ header }) => header.ask === ask && header.revision === revision)
       .map(({ map }) => map);
     this.#heatMaps = [];
-    this.#ties.store.dispatch({ type: "answer", answer, heatMaps });
+    this.#ties.store.dispatch({ type: "maps", ask, revision, heatMaps });
   }
 
   /** What came too late, when a newer answer had already made it worthless, is dropped. */

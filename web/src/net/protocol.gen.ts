@@ -262,12 +262,7 @@ export interface NoGoodPlace {
   readonly remedy: Remedy | null;
 }
 
-/**
- * The placements for the query of an ask.
- *
- * Its heat maps come as binary frames right before it, with the same ask and revision: when an
- * answer is there, so are all of its maps.
- */
+/** The placements for the query of an ask; the heat maps of its revision have come before. */
 export interface Answer {
   readonly type: "answer";
   readonly ask: string;
@@ -279,6 +274,17 @@ export interface Answer {
   readonly placements: readonly Placement[];
   readonly no_good_place: NoGoodPlace | null;
   readonly elapsed_ms: number;
+}
+
+/**
+ * The heat maps that came right before it are of this revision; their answer follows.
+ *
+ * Unless the scene changes again first: while a box is dragged, maps come without answers.
+ */
+export interface Maps {
+  readonly type: "maps";
+  readonly ask: string;
+  readonly revision: number;
 }
 
 /** Another pose, and how to get there. */
@@ -441,6 +447,7 @@ export type ServerMessage =
   | Welcome
   | Ack
   | Models
+  | Maps
   | Answer
   | Inspected
   | Weighing
