@@ -24,10 +24,15 @@ export function costs({ state, dispatch }: Page): TemplateResult | typeof nothin
   if (placing === null || !isAbout(placing) || placing.inspected?.allowed !== true) return nothing;
   const { costs, elsewhere } = placing.inspected;
   if (costs.length === 0) return html`<p>No place is better.</p>`;
+  const told = costs.filter(({ here, best }) => here !== best);
   return html`<h3>Why not here?</h3>
-    <ul class="costs">
-      ${costs.map(cost)}
-    </ul>
+    ${
+      told.length === 0
+        ? html`<p>Nearly as good as the best place.</p>`
+        : html`<ul class="costs">
+            ${told.map(cost)}
+          </ul>`
+    }
     ${
       elsewhere === null
         ? nothing
@@ -50,7 +55,7 @@ function cost({ relation, group, here, best }: Cost): TemplateResult {
   return html`<li>
     <small>${about}</small>
     <span>${begun(here === "" ? "nothing to say here" : here)}</span>
-    ${best === "" || best === here ? nothing : html`<span class="quiet">Best place: ${best}</span>`}
+    ${best === "" ? nothing : html`<span class="quiet">Best place: ${best}</span>`}
   </li>`;
 }
 

@@ -2,6 +2,7 @@
 import { html, nothing, type TemplateResult } from "lit";
 import { shownRefusal } from "../model/ghost";
 import { button, iconButton, toolButton } from "./controls";
+import { wayOut } from "./instead";
 import type { Page } from "./page";
 import { start } from "./place";
 import { verdictOf } from "./reasons";
@@ -52,7 +53,7 @@ function settling(page: Page): TemplateResult {
   const sentence = placing === null ? null : verdictOf(placing)?.sentence;
   const problem = shownRefusal(page.state) ?? placing?.answer?.no_good_place?.text;
   if (placing === null || !sentence) {
-    return card(page, html`<p>${problem ?? "Looking round the room…"}</p>`);
+    return card(page, html`<p>${problem ?? "Looking round the room…"}</p>${wayOut(page)}`);
   }
   const places = placing.answer?.placements ?? [];
   const at = places.findIndex(({ rank }) => rank === placing.alternative);

@@ -11,16 +11,20 @@ const ABOVE = 0.01; // metres over what the places stand on
 const FLAT = 0.001; // metres; only the footprint is drawn
 const CALM = { color: ACCENT, width: 1.25, dashed: false, fill: 0, opacity: 0.6 } as const;
 
+/** The place on offer if what matters most were not there. */
+const OTHERWISE = { color: ACCENT, width: 2, dashed: true, fill: 0.12, opacity: 0.9 } as const;
+
 /** The places on offer: thin footprints with their numbers, to be clicked. */
 export class AlternativesView implements Part {
   readonly root = new Group();
   readonly #numbers = new NumberLabels();
   #look: Look;
   #footprints: BoxLines[] = [];
+  readonly #otherwise = new BoxLines();
 
   constructor(look: Look) {
     this.#look = look;
-    this.root.add(this.#numbers.root);
+    this.root.add(this.#numbers.root, this.#otherwise.root);
   }
 
   /** Where the numbers are on the screen; always the same list. */
@@ -48,7 +52,19 @@ export class AlternativesView implements Part {
         lines.show(footprintOf(placement, placing), CALM);
       }
     });
+    this.#showOtherwise(placing);
     this.#numbers.show(placing ? placements : [], placing, this.#look);
+  }
+
+  #showOtherwise(placing: Placing | null): void {
+    const found = placing?.weigh?.result?.found;
+    if (!placing || !found?.center || found.heading === null) {
+      this.#otherwise.hide();
+      return;
+    }
+    const { category, size } = placing;
+    const { center, heading } = found;
+    this.#otherwise.show({ id: "otherwise", category, center, size, heading }, OTHERWISE);
   }
 
   update(eye: Eye): boolean {
@@ -57,6 +73,7 @@ export class AlternativesView implements Part {
   }
 
   dispose(): void {
+    this.#otherwise.dispose();
     for (const lines of this.#footprints) {
       lines.dispose();
     }
