@@ -51,6 +51,11 @@ def read_tables(knowledge: Knowledge, folder: Path) -> Knowledge:
 def _files(folder: Path, known: Iterable[str]) -> list[Path]:
     """The tables in a folder, all of which must be known."""
     found = sorted(folder.glob("*.csv"))
+    if not known:
+        raise KnowledgeError(
+            "This knowledge has no curves that tables could replace; learn it again without "
+            "--without-choices."
+        )
     if not found:
         raise KnowledgeError(
             f"There are no tables in {folder}; write some with: "

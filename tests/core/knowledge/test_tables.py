@@ -225,3 +225,9 @@ def test_a_table_of_another_category_is_named(tmp_path: Path, drawn: Knowledge) 
 def test_a_folder_without_tables_says_how_to_get_some(tmp_path: Path, drawn: Knowledge) -> None:
     with pytest.raises(KnowledgeError, match=r"no tables in .*scenegen inspect"):
         read_tables(drawn, tmp_path)
+
+
+def test_knowledge_without_curves_says_how_to_get_some(tmp_path: Path, drawn: Knowledge) -> None:
+    write_tables(drawn, tmp_path)
+    with pytest.raises(KnowledgeError, match=r"no curves .*without --without-choices"):
+        read_tables(replace(drawn, choices={}), tmp_path)
