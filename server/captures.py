@@ -14,10 +14,14 @@ from scenegen_core.scene.model import Scene
 CAPTURES = ("quest", "mruk", "roomplan")
 NAME = "Scanned room"
 """What the room is called where the capture does not say."""
+NO_ROOM = (
+    "There is no room in this file: it is not a scene file, nor a scan of RoomPlan, of a Quest "
+    "headset or of MR Utility Kit. Choose one of those."
+)
 
 
 def read_capture(data: bytes) -> Scene | None:
-    """The first room of a capture; None if it is none, SceneError if it holds no usable room."""
+    """The first room of a capture; None if it may be a scene file, SceneError if without a room."""
     if not data.lstrip().startswith(b"{"):
         return None  # archives, too: small ones can unpack to large ones
     with TemporaryDirectory() as directory:
@@ -25,6 +29,8 @@ def read_capture(data: bytes) -> Scene | None:
         path.write_bytes(data)
         head = Head(path)
         form = next((form for form in FORMATS if form.recognizes(head)), None)
+        if form is None and head.fields:
+            raise SceneError(NO_ROOM)
         if form is None or form.name not in CAPTURES:
             return None
         try:

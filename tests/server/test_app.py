@@ -11,6 +11,7 @@ from pathlib import Path
 import msgspec
 import pytest
 from PIL import Image
+from shapely import Polygon
 from starlette.testclient import TestClient
 
 from scenegen_core.scene.files import SceneRecord, read_scene
@@ -18,6 +19,8 @@ from server.app import make_app
 from server.protocol import RoomInfo
 from server.settings import Settings
 from server.world import World
+from tests.core import test_quest
+from tests.core.datasets import test_mruk
 from tests.server.driving import ROOM, SCENE, TABLE, browser
 
 ROOMPLAN = Path(__file__).parents[1] / "fixtures" / "roomplan_two_stories.json"
@@ -129,6 +132,15 @@ def test_a_scan_of_roomplan_comes_back_as_a_scene(client: TestClient) -> None:
     }
 
 
+def test_captures_of_headsets_come_back_as_scenes(client: TestClient) -> None:
+    """Rooms drawn by hand: 4 m by 3 m, and an L of 5 m by 4 m without 2 m by 2 m."""
+    saved = {"UUID": "room", "RoomLayout": {}, "Anchors": test_mruk.SHELL}
+    unity = json.dumps({"CoordinateSystem": "Unity", "Rooms": [saved]}).encode()
+    for capture, area in ((test_quest.drawn(), 12.0), (unity, 16.0)):
+        scanned = read_scene(client.post("/scenes/check", content=capture).content)
+        assert Polygon(scanned.room.corners).area == pytest.approx(area, abs=0.01)
+
+
 def test_a_scan_without_a_room_is_refused_in_words(client: TestClient) -> None:
     scan = json.loads(ROOMPLAN.read_text())
     response = client.post("/scenes/check", json=scan | {"walls": [], "floors": []})
@@ -143,6 +155,7 @@ def test_a_scan_without_a_room_is_refused_in_words(client: TestClient) -> None:
     [
         (b"Dear diary", "not a scene file"),
         (b'{"format":"gltf"}', "not a scene file"),
+        (b'{"name":"a package","version":"1.0.0"}', "Choose one of those"),
         (scene().replace(b'"version":1', b'"version":9'), "version 9"),
         (scene().replace(b'"size":[0.8', b'"size":[-0.8'), "$.boxes[0].size[0]"),
         (scene().replace(b'"Table"', b'"Spaceship"'), "choose one of Bed"),

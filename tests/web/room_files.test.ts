@@ -6,11 +6,21 @@ test("a scene file is left to the server", () => {
   expect(fileProblem(JSON.stringify(room([box("table")])))).toBeNull();
 });
 
-test("half a file, or one that is no JSON, is told apart from one of another program", () => {
+test("scans of devices are left to the server", () => {
+  const scans = [
+    { walls: [], objects: [], version: 2 }, // RoomPlan
+    { spatialEntities: [] }, // Quest
+    { CoordinateSystem: "Unity", Rooms: [] }, // MR Utility Kit
+  ];
+  for (const scan of scans) expect(fileProblem(JSON.stringify(scan))).toBeNull();
+});
+
+test("half a file, or one that is no JSON, is told apart from one that can be no room", () => {
   expect(fileProblem(JSON.stringify(room()).slice(0, 80))).toMatch(/a part of it is missing/);
   expect(fileProblem("")).toMatch(/a part of it is missing/);
-  expect(fileProblem('{"name": "scenegen", "version": "1.0.0"}')).toMatch(/no room in this file/);
-  expect(fileProblem("null")).toMatch(/no room in this file/);
+  for (const text of ["null", "[]", "3", '"room"']) {
+    expect(fileProblem(text)).toMatch(/no room in this file\. Choose a room .*RoomPlan/);
+  }
 });
 
 test("too many things are counted", () => {
