@@ -1,7 +1,16 @@
 import { defineConfig } from "vitest/config";
 
 const SERVER = "http://localhost:8000";
-const SERVED_BY_PYTHON = ["/rooms", "/assets", "/scenes", "/export", "/knowledge.json"];
+const SERVED_BY_PYTHON = [
+  "/rooms",
+  "/assets",
+  "/scenes",
+  "/export",
+  "/knowledge",
+  "/usdz",
+  "/join",
+  "/health",
+];
 
 export default defineConfig({
   root: "web",
