@@ -94,7 +94,7 @@ def _picks(
     _, first = np.unique(table.cells[order], return_index=True)
     five = order[np.sort(first)[:OFFERED]]
     differing = np.empty(0, dtype=np.int64)
-    if as_offered and system.feasible and table.proposals is not None:
+    if as_offered and system.feasible and table.proposals and table.possible.any():
         differing = choose(
             table.proposals,
             scores,

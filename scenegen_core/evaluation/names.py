@@ -24,6 +24,7 @@ TITLES = {
     "along_walls": "Along the walls",
     "away_from_wall": "Away from the nearest wall",
     "category_prior": "Relations to the room only",
+    "curves": "SceneGen, curves alone",
     "trees": "Gradient-boosted trees, same columns",
     "nearest_room": "As in the most similar room",
     "rules": "Hand-written rules",

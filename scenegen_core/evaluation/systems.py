@@ -65,13 +65,15 @@ def _paper(position: tuple[str, ...], orientation: tuple[str, ...], part: str) -
     return score
 
 
-@lru_cache(maxsize=64)
-def _choice_model(knowledge: Knowledge, category: str) -> ChoiceModel:
-    return ChoiceModel(knowledge, category)
+def _choice(*, pairs: bool) -> Score:
+    @lru_cache(maxsize=64)
+    def model(knowledge: Knowledge, category: str) -> ChoiceModel:
+        return ChoiceModel(knowledge, category, pairs=pairs)
 
+    def score(bench: Bench, table: Table, knowledge: Knowledge, _: np.random.Generator) -> Floats:
+        return model(knowledge, bench.category.name).total(table.situation)
 
-def _choice(bench: Bench, table: Table, knowledge: Knowledge, _: np.random.Generator) -> Floats:
-    return _choice_model(knowledge, bench.category.name).total(table.situation)
+    return score
 
 
 def _position(*relations: str) -> Mapping[Form, Score]:
@@ -84,12 +86,21 @@ def _orientation(*relations: str) -> Mapping[Form, Score]:
 
 SCENEGEN = System(
     "scenegen",
-    dict.fromkeys(get_args(Form), _choice),
+    dict.fromkeys(get_args(Form), _choice(pairs=True)),
     probabilities=True,
     needs_choices=True,
     expects=True,
 )
 """Our model: one score for position and heading together, whatever is asked."""
+
+CURVES = System(
+    "curves",
+    dict.fromkeys(get_args(Form), _choice(pairs=False)),
+    probabilities=True,
+    needs_choices=True,
+    expects=True,
+)
+"""Our model without surfaces: its curves are learned first, so this is what curves alone can do."""
 
 PAPER = System(
     "paper",
@@ -129,4 +140,4 @@ YARDSTICKS: tuple[System, ...] = (
     System("oracle", dict.fromkeys(get_args(Form), oracle)),
 )  # fmt: skip
 
-SYSTEMS: tuple[System, ...] = (SCENEGEN, PAPER, *ABLATIONS, *YARDSTICKS)
+SYSTEMS: tuple[System, ...] = (SCENEGEN, PAPER, CURVES, *ABLATIONS, *YARDSTICKS)

@@ -8,13 +8,15 @@ cut into bins by fixed edges, so that a model is plain tables: ``curves[column, 
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import lru_cache
+from zlib import crc32
 
 import numpy as np
 from numba import njit
 from numpy.typing import NDArray
 
+from scenegen_core.graph import scan
 from scenegen_core.graph.own_relations import OWN_RELATIONS
 from scenegen_core.graph.relations import Column, columns
 from scenegen_core.scene.geometry import Floats, Ints
@@ -55,6 +57,15 @@ _BY_PART = {
     "width": SIZES, "height": SIZES, "room": AREAS,
 }  # fmt: skip
 _BY_RELATION = {"H": HEIGHTS}
+
+MEASURED_WITH = {
+    "far": scan.FAR,
+    "deep": scan.DEEP,
+    "touching": scan.TOUCHING,
+    "flush": scan.FLUSH,
+    "edges": float(crc32(repr((_BY_PART, _BY_RELATION, LENGTHS, SHARES)).encode())),
+}
+"""The constants that tables depend on; of the edges a checksum."""
 
 
 def edges_of(column: Column) -> tuple[float, ...]:
@@ -133,6 +144,12 @@ class Choice:
     """The chosen poses that taught it: (examples, columns)."""
     rooms: tuple[str, ...]
     """The room of each example."""
+
+    @property
+    def without_surfaces(self) -> Choice:
+        """The curves alone."""
+        none = slice(0, 0)
+        return replace(self, pairs=self.pairs[none], surfaces=self.surfaces[none])
 
     def score(self, features: Floats) -> Floats:
         """The log of how much likelier each pose is chosen, up to a constant of the room: (n,)."""

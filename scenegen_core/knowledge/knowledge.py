@@ -16,7 +16,7 @@ from scenegen_core.graph.relations import (
     SAME_DIRECTION,
     Column,
 )
-from scenegen_core.knowledge.choice import Choice, Table
+from scenegen_core.knowledge.choice import MEASURED_WITH, Choice, Table
 from scenegen_core.knowledge.density import Bandwidths, Density
 from scenegen_core.knowledge.plans import Plan
 from scenegen_core.knowledge.sources import Source
@@ -36,6 +36,7 @@ SETTINGS: Mapping[str, float] = {
     "same_direction": SAME_DIRECTION,
     "absent": ABSENT,
     "rests": RESTS,
+    **MEASURED_WITH,
 }
 """The constants that feature vectors depend on: knowledge measured with others does not fit."""
 

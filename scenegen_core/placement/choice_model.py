@@ -22,8 +22,9 @@ class ChoiceModel:
 
     expects = True
 
-    def __init__(self, knowledge: Knowledge, category: str) -> None:
-        self._choice = knowledge.choice(category)
+    def __init__(self, knowledge: Knowledge, category: str, *, pairs: bool = True) -> None:
+        choice = knowledge.choice(category)
+        self._choice = choice if pairs else choice.without_surfaces
         subjects = [(column.relation, column.group) for column in self._choice.columns]
         self._subjects: tuple[Subject, ...] = tuple(
             dict.fromkeys(subject for subject in subjects if subject[0] != SIZE.short)
