@@ -53,7 +53,7 @@ OF_ONE = {
     "faced": "is it in front of {one}?",
     "lateral": "how far aside {one} lies, seen from it, m",
     "beside": "beyond the side of {one}, m",
-    "on": "does it stand on {one}?",
+    "on": "does it stand on one of the {several}?",
 }
 """By part, where the relation is to the nearest of a kind."""
 

@@ -25,6 +25,7 @@ def column(relation: str, part: str, group: str = "") -> Column:
         (column("N", "gap", "Table"), "gap to the nearest table, m"),
         (column("N", "near", "TV"), "TVs within 1 m"),
         (column("N", "faced", "Storage"), "is it in front of the nearest storage piece?"),
+        (column("N", "on", "TV"), "does it stand on one of the TVs?"),
         (column("DR", "gap"), "gap to the nearest door, m"),
         (column("WN", "bearing"), "where the nearest window lies (0 ahead, 180 behind), °"),
         (column("TW", "beside"), "beyond the side of another just like it, m"),
