@@ -7,6 +7,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from secrets import token_urlsafe
 from typing import TYPE_CHECKING
+from urllib.parse import quote
 
 import segno
 from starlette.requests import Request
@@ -21,6 +22,7 @@ if TYPE_CHECKING:
 
 SCAN = "Scan this with a phone in the same network."
 NOT_OPEN = "This server is open to its own machine only. For phones, start it with: make run LAN=1"
+LONGEST_SESSION = 64  # characters; ours have 16
 MARGIN = 4  # modules of white round a code (ISO/IEC 18004)
 PRIVATE = {"Cache-Control": "no-store"}
 
@@ -40,27 +42,37 @@ class Join:
         """What to open, token and all. The part after # never leaves the phone unencrypted."""
         return f"{self.guide}/#{self.token}" if self.guide else f"{self.base}/?{JOIN}={self.token}"
 
+    def leading_to(self, session: str) -> str:
+        """The address that goes on with the room of a session; empty for a new one."""
+        known = quote(session[:LONGEST_SESSION], safe="")
+        return f"{self.address}&session={known}" if known else self.address
+
 
 class Joining:
-    """Endpoints for the page to show; only those who are in see them."""
+    """Endpoints for the page to show; only those who are in see them.
+
+    With ``?session=`` the phone goes on with the room of that session.
+    """
 
     def __init__(self, join: Join | None) -> None:
         """None where nobody can join."""
         self._join = join
 
-    async def info(self, _: Request) -> Response:
+    async def info(self, request: Request) -> Response:
         """The address to open on a phone, or null and how to get one."""
         body = {"address": None, "text": NOT_OPEN}
         if self._join is not None:
-            body = {"address": self._join.address, "text": SCAN}
+            address = self._join.leading_to(request.query_params.get("session", ""))
+            body = {"address": address, "text": SCAN}
         return JSONResponse(body, headers=PRIVATE)
 
-    async def picture(self, _: Request) -> Response:
+    async def picture(self, request: Request) -> Response:
         """The code to scan as SVG; 404 where nobody can join."""
         if self._join is None:
             return JSONResponse({"text": NOT_OPEN}, status_code=404, headers=PRIVATE)
         picture = io.BytesIO()
-        code = segno.make(self._join.address, micro=False)
+        address = self._join.leading_to(request.query_params.get("session", ""))
+        code = segno.make(address, micro=False)
         code.save(picture, kind="svg", border=MARGIN, light="#fff", omitsize=True)
         return Response(picture.getvalue(), media_type="image/svg+xml", headers=PRIVATE)
 

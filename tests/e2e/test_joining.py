@@ -8,7 +8,8 @@ from collections.abc import Iterator
 import pytest
 from playwright.sync_api import Browser, Page, expect
 
-from tests.e2e.conftest import PATIENCE, PHONE, take_picture
+from tests.e2e.conftest import DESKTOP, PATIENCE, PHONE, take_picture
+from tests.e2e.driving import Desk
 from tests.server.driving import started
 
 pytestmark = pytest.mark.browser
@@ -71,3 +72,28 @@ def test_without_the_code_a_phone_stays_outside(phone: Page, address: str) -> No
     phone.get_by_role("link", name="Open SceneGen").tap()
     press_through_the_warning(phone)
     expect(phone.locator("body")).to_contain_text("scan the code that its terminal shows")
+
+
+def test_a_phone_goes_on_with_the_room_that_the_page_shows(
+    phone: Page, browser: Browser, address: str
+) -> None:
+    context = browser.new_context(viewport=DESKTOP, ignore_https_errors=True)
+    page = context.new_page()
+    page.set_default_timeout(PATIENCE * 1000)
+    desk = Desk(page)
+    page.goto(address)
+    page.get_by_role("link", name="Open SceneGen").click()
+    desk.close_greeting()
+    desk.open_room("Bedroom")
+    page.get_by_role("button", name="Open on your phone").click()
+    code = page.get_by_role("img", name="Code to scan")
+    page.wait_for_function("(code) => code.naturalWidth > 0", arg=code.element_handle())
+    take_picture(page, "join-dialog")
+    phone.goto(page.locator(".join .address").inner_text())
+    phone.get_by_role("link", name="Open SceneGen").tap()
+    press_through_the_warning(phone)
+    expect(phone.locator("button.room-name")).to_have_text("Bedroom")
+    expect(phone.get_by_text("Connected")).to_be_attached()
+    assert "session" not in phone.url
+    expect(page.locator(".pill")).to_contain_text("open elsewhere")
+    context.close()

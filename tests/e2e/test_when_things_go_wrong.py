@@ -151,7 +151,7 @@ def test_of_two_tabs_the_older_one_says_that_it_stopped_and_takes_the_room_back(
     other = desk.page.context.new_page()
     other.goto(server_url)
     expect(other.locator(".connection")).to_have_text("Connected")
-    sentence = "This room is open in another tab. Reload to take it back."
+    sentence = "This room is open elsewhere. Reload to take it back."
     expect(desk.page.locator(".pill").get_by_text(sentence)).to_be_visible()
     take_picture(desk.page, "another-tab")
     desk.page.reload()

@@ -146,6 +146,17 @@ def test_the_page_can_show_how_to_join(visit: Visit) -> None:
     assert "viewBox" in picture.text
 
 
+def test_the_code_leads_on_to_the_room_of_a_session(visit: Visit) -> None:
+    client = visit("127.0.0.1", "https://localhost:8000")
+    info = client.get("/join.json", params={"session": "r4nd&m"}).json()
+    assert info["address"] == "http://192.168.1.5:8001/#S3cret&session=r4nd%26m"
+    plain, leading = (
+        client.get("/join.svg", params={"session": session}) for session in ("", "room")
+    )
+    assert leading.content != plain.content
+    assert client.get("/join.svg", params={"session": "x" * 5000}).status_code == 200
+
+
 def test_the_page_can_say_why_nobody_can_join(visit: Visit) -> None:
     client = visit("127.0.0.1", "http://localhost:8000", join=None)
     info = client.get("/join.json").json()

@@ -23,7 +23,7 @@ const json = (value: unknown, status = 200): Response =>
 
 function services(state = begin()) {
   const store = createStore(state);
-  return { store, ...createServices(store, { viewPoint: () => [1, 2] }, NO_AR) };
+  return { store, ...createServices(store, { viewPoint: () => [1, 2], quickLook: false }, NO_AR) };
 }
 
 beforeEach(() => {
@@ -31,7 +31,6 @@ beforeEach(() => {
   saved = [];
   const link = { href: "", download: "", click: () => saved.push(link.download) };
   vi.stubGlobal("document", { createElement: () => link });
-  vi.stubGlobal("location", { href: "https://room.example/?key=abc" });
 });
 afterEach(() => {
   vi.unstubAllGlobals();
@@ -155,7 +154,20 @@ describe("saving and exporting", () => {
   });
 });
 
-test("a shared link leads to the session, and keeps the key of the network", () => {
-  const state = play(begin(), { type: "connection", connection: { session: "s1" } });
-  expect(services(state).shareUrl()).toBe("https://room.example/?key=abc&session=s1");
+describe("joining with a phone", () => {
+  test("the server is asked for the way to this very room", async () => {
+    const join = { address: "http://192.168.1.5:8001/#secret&session=s1", text: "Scan this." };
+    server(() => json(join));
+    const state = play(begin(), { type: "connection", connection: { session: "s1" } });
+    expect(await services(state).fetchJoin()).toEqual({
+      ...join,
+      picture: "/join.svg?session=s1",
+    });
+    expect(asked).toEqual([{ path: "/join.json?session=s1", body: null }]);
+  });
+
+  test("offline there is no way", async () => {
+    server(offline);
+    expect(await services().fetchJoin()).toBeNull();
+  });
 });

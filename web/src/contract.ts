@@ -41,6 +41,14 @@ export interface FloatingContent {
   readonly rows: readonly (readonly PanelButton[])[];
 }
 
+/** The address to open on a phone, or null and the reason. */
+export interface JoinInfo {
+  readonly address: string | null;
+  readonly text: string;
+  /** Where the code to scan is. */
+  readonly picture: string;
+}
+
 /** What the panels can have done that is not a change of the state. */
 export interface Services {
   viewPoint(): Point;
@@ -51,7 +59,10 @@ export interface Services {
   exportHeatMap(): Promise<void>;
   /** What is known of each category; null when the server cannot be reached. */
   fetchKnowledge(): Promise<KnowledgeMarginals | null>;
-  shareUrl(): string;
+  /** How a phone goes on with this room; null when the server cannot be reached. */
+  fetchJoin(): Promise<JoinInfo | null>;
+  /** Whether the browser shows models in the real room by itself (Apple's Quick Look). */
+  readonly quickLook: boolean;
   readonly ar: ArControls;
 }
 

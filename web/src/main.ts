@@ -11,6 +11,7 @@ import { floating } from "./ui/floating";
 import { mountUi } from "./ui/ui";
 import { Stage } from "./views/stage";
 import { type ArEntry, createAr } from "./xr/entry";
+import { quickLook } from "./xr/support";
 
 const FIRST_ROOM = "living-room";
 const PROBES: readonly (readonly [EventTarget, string])[] = [
@@ -32,7 +33,11 @@ async function start(): Promise<void> {
     floating: (state) => floating({ state, ar, dispatch: store.dispatch, viewPoint }),
   });
   const viewPoint = () => ar.viewPoint() ?? stage.viewPoint();
-  const ui = mountUi(element("ui"), store.dispatch, createServices(store, { viewPoint }, ar));
+  const ui = mountUi(
+    element("ui"),
+    store.dispatch,
+    createServices(store, { viewPoint, quickLook: quickLook(document.createElement("a")) }, ar),
+  );
   const keep = sceneKeeper();
   store.subscribe((state) => {
     stage.show(state);

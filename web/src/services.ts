@@ -1,5 +1,5 @@
 /** What the panels can have done: files in and out, rooms by name, pictures, a link. */
-import type { ArControls, Services, StageView } from "./contract";
+import type { ArControls, JoinInfo, Services, StageView } from "./contract";
 import { sceneOf } from "./memory";
 import type { KnowledgeMarginals } from "./model/knowledge";
 import type { SceneRecord } from "./net/protocol.gen";
@@ -13,7 +13,7 @@ const NO_ROOM = "That room can't be opened now. Try again when you are online.";
 
 export function createServices(
   store: Store,
-  stage: Pick<StageView, "viewPoint">,
+  device: Pick<StageView, "viewPoint"> & Pick<Services, "quickLook">,
   ar: ArControls,
 ): Services {
   const problem = (text: string): void => store.dispatch({ type: "notify", tone: "problem", text });
@@ -26,7 +26,8 @@ export function createServices(
   }
 
   return {
-    viewPoint: () => stage.viewPoint(),
+    viewPoint: () => device.viewPoint(),
+    quickLook: device.quickLook,
     ar,
 
     saveScene() {
@@ -62,20 +63,13 @@ export function createServices(
       await download("/export/heat-map.png", body, `${fileName(sceneNow())}-map.png`);
     },
 
-    async fetchKnowledge() {
-      try {
-        const response = await fetch("/knowledge.json");
-        return response.ok ? ((await response.json()) as KnowledgeMarginals) : null;
-      } catch {
-        return null;
-      }
-    },
+    fetchKnowledge: () => fetchJson<KnowledgeMarginals>("/knowledge.json"),
 
-    shareUrl() {
-      const url = new URL(location.href);
+    async fetchJoin() {
       const { session } = store.getState().connection;
-      if (session !== null) url.searchParams.set("session", session);
-      return url.href;
+      const query = session === null ? "" : `?session=${encodeURIComponent(session)}`;
+      const way = await fetchJson<Omit<JoinInfo, "picture">>(`/join.json${query}`);
+      return way && { ...way, picture: `/join.svg${query}` };
     },
   };
 }
@@ -85,6 +79,15 @@ export async function fetchRoom(id: string): Promise<SceneRecord | null> {
   try {
     const response = await fetch(`/rooms/${encodeURIComponent(id)}.json`);
     return response.ok ? sceneOf(await response.text()) : null;
+  } catch {
+    return null;
+  }
+}
+
+async function fetchJson<T>(path: string): Promise<T | null> {
+  try {
+    const response = await fetch(path);
+    return response.ok ? ((await response.json()) as T) : null;
   } catch {
     return null;
   }

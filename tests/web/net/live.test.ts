@@ -348,7 +348,7 @@ describe("a connection closed for good", () => {
   test.each([
     [4400, "This page is older than the server. Reload it."],
     [4401, "The server could not understand this page. Reload it to go on."],
-    [4402, "This room is open in another tab. Reload to take it back."],
+    [4402, "This room is open elsewhere. Reload to take it back."],
     [4403, "Too many pages are open. Close some, then reload this one."],
   ])("with %i says what to do, and is not tried again", (code, ended) => {
     const { socket, store, sockets } = online();

@@ -133,7 +133,7 @@ test("says when the connection goes and comes back", () => {
 });
 
 test("says what to do when the connection is closed for good", () => {
-  const ended = "This room is open in another tab. Reload to take it back.";
+  const ended = "This room is open elsewhere. Reload to take it back.";
   expect(said(begin(), { type: "connection", connection: { status: "offline", ended } })).toBe(
     ended,
   );

@@ -32,7 +32,8 @@ export function sitDown(initial: State): Desk {
     exportRoom: async () => {},
     exportHeatMap: async () => {},
     fetchKnowledge: async () => null,
-    shareUrl: () => "http://localhost:8000/",
+    fetchJoin: async () => null,
+    quickLook: false,
     ar: NO_AR,
   };
   function dispatch(action: Action): void {

@@ -3,7 +3,7 @@
 const ENDINGS: Readonly<Record<number, string>> = {
   4400: "This page is older than the server. Reload it.",
   4401: "The server could not understand this page. Reload it to go on.",
-  4402: "This room is open in another tab. Reload to take it back.",
+  4402: "This room is open elsewhere. Reload to take it back.",
   4403: "Too many pages are open. Close some, then reload this one.",
 };
 

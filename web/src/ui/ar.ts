@@ -6,6 +6,7 @@ import { foundInWords, markInWords, obstacleInWords } from "./ar_words";
 import { chips } from "./categories";
 import { button, iconButton, section, toolButton } from "./controls";
 import type { Page } from "./page";
+import { allPlaced } from "./quick_look";
 import { selectionPanel } from "./selection";
 import { inSentence } from "./words";
 
@@ -28,8 +29,18 @@ export function arDoor(page: Page): TemplateResult {
       <h2 id="ar-door-title">See it in your own room</h2>
       ${iconButton({ icon: "close", label: "Close", run: () => change({ arDoor: false }) })}
     </div>
-    ${obstacle === null ? invitation(page) : html`<p>${obstacle}</p>`}
+    ${obstacle === null ? invitation(page) : instead(page, obstacle)}
   </dialog>`;
+}
+
+/** What there is where there is no camera view. */
+function instead(page: Page, obstacle: string): TemplateResult {
+  if (!page.services.quickLook) return html`<p>${obstacle}</p>`;
+  return html`<p>
+      ${obstacle} What you place in it you can look at in the real room: place something, then press
+      “See it in your room”.
+    </p>
+    <div class="ways-in">${allPlaced(page)}</div>`;
 }
 
 function invitation({ state, services, change }: Page): TemplateResult {

@@ -3,7 +3,9 @@ import { html, type TemplateResult } from "lit";
 import type { Connection } from "../model/state";
 import { button, iconButton } from "./controls";
 import { icon } from "./icons";
+import { joinButton } from "./join";
 import type { Page } from "./page";
+import { allPlaced } from "./quick_look";
 import { fileButtons, roomsMenu } from "./rooms_menu";
 import { counted } from "./words";
 
@@ -19,7 +21,7 @@ export function header(page: Page): TemplateResult {
     <span class="spring"></span>
     ${connection(state.connection)}
     <button type="button" class="button" popovertarget="export-menu">${icon("export")}<span>Export</span></button>
-    ${helpButton(page)}
+    ${joinButton(page)} ${helpButton(page)}
     ${roomsMenu(page)} ${exportMenu(page)}
   </header>`;
 }
@@ -72,7 +74,8 @@ function helpButton({ dispatch }: Page): TemplateResult {
   });
 }
 
-function exportMenu({ state, services, dispatch }: Page): TemplateResult {
+function exportMenu(page: Page): TemplateResult {
+  const { state, services, dispatch } = page;
   const closing = (run: () => unknown) => (): void => {
     document.getElementById("export-menu")?.hidePopover();
     run();
@@ -90,6 +93,7 @@ function exportMenu({ state, services, dispatch }: Page): TemplateResult {
       "quiet",
     )}
     ${noMap ? html`<p class="quiet">The map is there while you place something.</p>` : ""}
+    ${allPlaced(page)}
     ${button({ icon: "save", label: "Scene file (JSON)", run: closing(services.saveScene) }, "quiet")}
     <span class="phone-only">
       ${button({ icon: "help", label: "Help", run: closing(() => dispatch({ type: "toggle-help" })) }, "quiet")}

@@ -45,7 +45,6 @@ function guideAfter(guide: Guide, before: State, after: State, placed: boolean):
       if (after.placing?.mode === "manual") return "done";
       return before.placing !== null && after.placing === null ? "done" : "placing";
     case "doors":
-    case "phone":
       return after.tool !== "select" || after.placing !== null ? "done" : guide;
     case "done":
       return "done";

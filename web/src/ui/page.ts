@@ -1,13 +1,13 @@
 /** What a panel is given: the state, how to change it, and what only the panels need to know. */
-import type { Services } from "../contract";
+import type { JoinInfo, Services } from "../contract";
 import type { KnowledgeMarginals } from "../model/knowledge";
 import type { Action, Mode, Point, State, Vector3 } from "../model/state";
 import type { SceneRecord } from "../net/protocol.gen";
 
 export type SheetHeight = "peek" | "half" | "full";
 
-/** The first minute: the invitation, the first sofa on its way, the three doors, the phone, done. */
-export type Guide = "invite" | "placing" | "doors" | "phone" | "done";
+/** The first minute: the invitation, the first sofa on its way, the three doors, done. */
+export type Guide = "invite" | "placing" | "doors" | "done";
 
 /** What was placed last, to place another or to take it back. */
 export interface LastPlaced {
@@ -37,6 +37,9 @@ export interface Local {
   readonly plan: string | null;
   /** Whether the way into the camera view stands open. */
   readonly arDoor: boolean;
+  /** Whether it is shown how a phone gets here, and how, once it was asked for. */
+  readonly joinDoor: boolean;
+  readonly join: JoinInfo | "loading" | "out of reach";
   /** What is known of all categories, once it was asked for. */
   readonly knowledge: KnowledgeMarginals | "loading" | "out of reach" | null;
 }
@@ -52,6 +55,8 @@ export const INITIAL_LOCAL: Local = {
   knowledgeOf: null,
   plan: null,
   arDoor: false,
+  joinDoor: false,
+  join: "loading",
   knowledge: null,
 };
 

@@ -11,6 +11,7 @@ import { icon } from "./icons";
 import { wayOut } from "./instead";
 import type { Page } from "./page";
 import { places } from "./places";
+import { seeInRoom } from "./quick_look";
 import { inSentence, isNow, oneOf } from "./words";
 
 const SIZE_STEP = 0.05; // metres
@@ -103,6 +104,8 @@ function modelSwitch({ state, local, dispatch }: Page): TemplateResult | typeof 
 function after(page: Page): TemplateResult | typeof nothing {
   const { placed } = page.local;
   if (placed === null) return nothing;
+  const { scene, selection } = page.state;
+  const box = scene.boxes.find(({ id }) => selection?.kind === "box" && id === selection.id);
   return html`<div class="placed">
     <p>${isNow(placed.category, placed.sentence)}</p>
     <div class="row">
@@ -123,6 +126,7 @@ function after(page: Page): TemplateResult | typeof nothing {
           page.dispatch({ type: "undo" });
         },
       })}
+      ${box === undefined ? nothing : seeInRoom(page, box)}
     </div>
   </div>`;
 }

@@ -8,6 +8,7 @@ import { chips } from "./categories";
 import { button, deleteButton, lengthField, section } from "./controls";
 import { cornerPanel, openingPanel } from "./outline";
 import type { Page } from "./page";
+import { seeInRoom } from "./quick_look";
 
 const STEP = 0.05; // metres
 const TURN = Math.PI / 12; // 15°
@@ -119,7 +120,8 @@ function positionFields(
   </div>`;
 }
 
-function boxCommands({ dispatch }: Page, box: BoxRecord): TemplateResult {
+function boxCommands(page: Page, box: BoxRecord): TemplateResult {
+  const { dispatch } = page;
   const turn = (by: number) => (): void => dispatch({ type: "turn", by });
   return html`
     <div class="row" role="group" aria-label="Turn">
@@ -129,7 +131,7 @@ function boxCommands({ dispatch }: Page, box: BoxRecord): TemplateResult {
     </div>
     <div class="row">
       ${button({ icon: "duplicate", label: "Duplicate", keys: "Ctrl D", run: () => dispatch({ type: "duplicate-selected" }) })}
-      ${deleteButton({ dispatch })}
+      ${deleteButton({ dispatch })} ${page.local.placed === null ? seeInRoom(page, box) : nothing}
     </div>
   `;
 }

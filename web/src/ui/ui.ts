@@ -10,6 +10,7 @@ import { drawingPanel } from "./drawing";
 import { header } from "./header";
 import { help } from "./help";
 import { createInsets } from "./insets";
+import { joinDialog } from "./join";
 import { press } from "./keyboard";
 import { knowledgeButton, knowledgeDialog } from "./knowledge";
 import { layers, layersPanel } from "./layers";
@@ -52,6 +53,7 @@ export function mountUi(element: HTMLElement, dispatch: Dispatch, services: Serv
     if (focused && document.activeElement === document.body) (inDialog() ?? panel())?.focus();
     syncDialog(element, "help", state.help);
     syncDialog(element, "ar-door", local.arDoor);
+    syncDialog(element, "join", local.joinDoor);
     syncDialog(element, "knowledge", local.knowledgeOf !== null);
     if (topic !== topicOf(state)) element.querySelector(".parts")?.scrollTo(0, 0);
     topic = topicOf(state);
@@ -110,7 +112,7 @@ export function panels(page: Page): TemplateResult {
       </div>
       ${decision(page)}
     </aside>
-    ${help(page)} ${knowledgeDialog(page)} ${arDoor(page)}
+    ${help(page)} ${knowledgeDialog(page)} ${arDoor(page)} ${joinDialog(page)}
   `;
 }
 

@@ -3,6 +3,7 @@ import { html, nothing, type TemplateResult } from "lit";
 import { shownRefusal } from "../model/ghost";
 import { button, iconButton, toolButton } from "./controls";
 import { wayOut } from "./instead";
+import { openJoin } from "./join";
 import type { Page } from "./page";
 import { start } from "./place";
 import { verdictOf } from "./reasons";
@@ -22,7 +23,6 @@ export function welcome(page: Page): TemplateResult | typeof nothing {
     case "placing":
       return settling(page);
     case "doors":
-    case "phone":
       return doors(page);
     case "done":
       return nothing;
@@ -97,29 +97,26 @@ function doors(page: Page): TemplateResult {
             page.dispatch({ type: "new-room" });
           },
         })}
-        ${reachable(page) ? phoneDoor(page) : nothing}
-      </div>
-      ${page.local.guide === "phone" ? phone(page) : nothing}`,
+        ${phoneDoor(page)} ${cameraDoor(page)}
+      </div>`,
   );
 }
 
-/** Whether another machine can open this page: not one that is served for this computer alone. */
-function reachable({ services }: Page): boolean {
-  return !/^https?:\/\/(localhost|127\.|\[::1\])/.test(services.shareUrl());
-}
-
-function phoneDoor({ local, change }: Page): TemplateResult {
-  return toolButton({
+function phoneDoor(page: Page): TemplateResult {
+  return html`<span class="desk-only">${toolButton({
     icon: "phone",
     label: "Use your phone",
-    pressed: local.guide === "phone",
-    run: () => change({ guide: local.guide === "phone" ? "doors" : "phone" }),
-  });
+    run: () => openJoin(page),
+  })}</span>`;
 }
 
-function phone({ services }: Page): TemplateResult {
-  const url = services.shareUrl();
-  return html`<p class="quiet">Open this on the phone: <a href=${url}>${url}</a></p>`;
+/** Whoever holds the phone already goes on with its camera. */
+function cameraDoor({ change }: Page): TemplateResult {
+  return html`<span class="phone-only">${toolButton({
+    icon: "phone",
+    label: "Use the camera",
+    run: () => change({ arDoor: true }),
+  })}</span>`;
 }
 
 function card(page: Page, content: TemplateResult): TemplateResult {

@@ -15,3 +15,8 @@ export async function arSupport({ isSecureContext, xr }: Surroundings): Promise<
     return "refused"; // a frame or a policy forbids it
   }
 }
+
+/** Whether a link to a model opens it in the real room, in a viewer of the system's own. */
+export function quickLook({ relList }: Pick<HTMLAnchorElement, "relList">): boolean {
+  return relList.supports("ar");
+}
