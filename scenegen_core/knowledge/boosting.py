@@ -18,13 +18,13 @@ from scenegen_core.knowledge.choice import BINS, Bins, Choice, Table
 from scenegen_core.scene.geometry import Floats, Ints
 
 RATE = 0.05  # share of a Newton step taken
-DAMPING = 5.0  # added to each curvature: steps on little evidence are small
+DAMPING = 15.0  # added to each curvature: steps on little evidence are small
 LEAST = 0.5  # curvature on either side of a split: fewer choices say nothing
 SHARE = 0.3  # of the columns that a tree may look at: spreads what correlated columns say
 CURVE_TREES = 300
 TRIAL_TREES = 80  # that look for pairs
-SURFACE_TREES = 300
-SURFACES = 40
+SURFACE_TREES = 400
+SURFACES = 80
 
 Sums = NDArray[np.float64]
 
