@@ -15,6 +15,7 @@ NODE_IS_NEW := const [a, b] = process.versions.node.split("."); process.exitCode
 
 # Stamps: a step runs again only when what it was made from is newer.
 INSTALLED := .venv/.installed
+COMPILED := .venv/.compiled
 INSTALLED_FOR_TESTS := .venv/.installed-for-tests
 NODE_MODULES := node_modules/.package-lock.json
 SCANS := web/public/rooms/scans/scan-living-room.json
@@ -27,7 +28,7 @@ help:  ## show this list
 	@sed -nE 's/^([a-z]+):.*## (.*)/  make \1\t\2/p' $(MAKEFILE_LIST) | expand -t 18
 
 .PHONY: run
-run: $(INSTALLED) $(PAGE)  ## start SceneGen on http://localhost:8000 (PORT=9000, for phones: LAN=1)
+run: $(INSTALLED) $(PAGE) $(COMPILED)  ## start SceneGen on http://localhost:8000 (PORT=9000, for phones: LAN=1)
 	@exec $(BIN)/scenegen serve --port $(PORT) $(if $(LAN),--lan)
 
 .PHONY: page
@@ -80,6 +81,12 @@ $(INSTALLED): pyproject.toml | .venv/bin/pip
 $(INSTALLED_FOR_TESTS): pyproject.toml | .venv/bin/pip
 	$(BIN)/pip install --quiet --disable-pip-version-check --editable '.[test]'
 	@touch $@ $(INSTALLED)
+
+# The first answer compiles the loops over poses and keeps them on disk: nobody should wait for that.
+$(COMPILED): $(shell grep -rl 'njit\|@compiled' scenegen_core --include=*.py) | $(INSTALLED)
+	@echo 'Compiling the loops over poses, once ...'
+	@$(BIN)/scenegen place web/public/rooms/living-room.json --add Sofa >/dev/null
+	@touch $@
 
 $(NODE_MODULES): package.json package-lock.json | tools
 	npm ci --no-audit --no-fund
