@@ -39,28 +39,24 @@ def _walls(situation: Situation) -> Floats:
     run = walls[:, 1] - walls[:, 0]
     normal = left_of(run)
     inward = np.arctan2(normal[:, 1], normal[:, 0])
-    shapes = situation.surroundings.wall_shapes.rows
-    out = np.empty((len(situation.candidates), len(scan.WALL_PARTS)))
+    out = np.empty((len(scan.WALL_PARTS), len(situation.candidates)))
     scan.look_at_walls(
-        _poses(situation), situation.candidates.headings, _half(situation), _symmetric(situation),
-        walls, shapes, inward, out,
+        situation.shapes.columns, situation.candidates.headings, _symmetric(situation),
+        situation.wall_reach, situation.wall_gaps.T, inward, out,
     )  # fmt: skip
-    return out
+    return out.T
 
 
 def _free_space(situation: Situation) -> Floats:
     """The free floor behind, ahead and beside, and what is near."""
     candidates, around = situation.candidates, situation.surroundings
-    shared = np.minimum(candidates.tops[:, None], around.tops) - np.maximum(
-        candidates.bottoms[:, None], around.bottoms
-    )
-    in_the_way: Bools = (shared > scan.COMMON_HEIGHT) & (around.tops - around.bottoms > scan.FLAT)
-    out = np.empty((len(candidates), len(scan.FREE_PARTS)))
+    out = np.empty((len(scan.FREE_PARTS), len(candidates)))
     scan.look_round(
-        _poses(situation), _half(situation), _symmetric(situation),
-        around.walls, around.footprints.rows, in_the_way, out,
+        situation.shapes.columns, candidates.bottoms, candidates.tops, _symmetric(situation),
+        situation.wall_reach, around.footprints.rows, around.bottoms, around.tops,
+        situation.gaps.T, out,
     )  # fmt: skip
-    return out
+    return out.T
 
 
 def _middle(situation: Situation) -> Floats:
@@ -72,11 +68,8 @@ def _middle(situation: Situation) -> Floats:
     to = middle / (6 * area) - situation.candidates.centers[:, :2]
     fronts = situation.fronts
     away = np.hypot(*to.T)
-    bearing = np.abs(np.arctan2((to * left_of(fronts)).sum(axis=1), (to * fronts).sum(axis=1)))
-    bearing[away < TIE] = 0.0
-    if _symmetric(situation):
-        bearing = np.minimum(bearing, np.pi - bearing)
-    return np.stack([away / np.sqrt(abs(area)), bearing], axis=1)
+    aside, ahead = (to * left_of(fronts)).sum(axis=1), (to * fronts).sum(axis=1)
+    return np.stack([away / np.sqrt(abs(area)), _bearings(situation, aside, ahead)]).T
 
 
 def _doors(situation: Situation) -> Floats:
@@ -91,12 +84,15 @@ def _windows(situation: Situation) -> Floats:
 
 def _openings(situation: Situation, openings: tuple[Opening, ...]) -> Floats:
     segments = np.array([(o.start, o.end) for o in openings], dtype=float).reshape(-1, 2, 2)
-    out = np.empty((len(situation.candidates), len(scan.OPENING_PARTS)))
-    scan.look_at_openings(
-        _poses(situation), _half(situation), _symmetric(situation),
-        walls_as_rectangles(segments).rows, out,
-    )  # fmt: skip
-    return out
+    if not len(segments):
+        return np.full((len(scan.OPENING_PARTS), len(situation.candidates)), np.nan).T
+    shapes = walls_as_rectangles(segments)
+    away = gaps(situation.shapes, shapes)
+    out = np.empty((len(scan.OPENING_PARTS), len(situation.candidates)))
+    beyond = np.empty(len(situation.candidates))
+    scan.look_at_openings(situation.shapes.columns, shapes.rows, away.T, out, beyond)
+    out[1] = _bearings(situation, out[1], beyond)
+    return out.T
 
 
 def _height(situation: Situation) -> Floats:
@@ -121,19 +117,19 @@ def _twins(situation: Situation) -> Floats:
 def _mirror(situation: Situation) -> Floats:
     """Distance and turn to the nearest free place that mirrors one of the kind."""
     places = mirror_places(situation.surroundings, situation.candidates.category)
-    out = np.empty((len(situation.candidates), 2))
+    out = np.empty((2, len(situation.candidates)))
     scan.look_at_twins_places(
-        _poses(situation), situation.candidates.headings, _symmetric(situation), places, out
+        situation.shapes.columns, situation.candidates.headings, _symmetric(situation), places, out
     )
-    return out
+    return out.T
 
 
 def _size(situation: Situation) -> Floats:
     """The object's own depth, width and height, and the area of the room; the same everywhere."""
     x, y = situation.surroundings.walls[:, 0].T
     area = abs((x * np.roll(y, -1) - np.roll(x, -1) * y).sum()) / 2
-    row = np.array([*situation.candidates.size, area])
-    return np.broadcast_to(row, (len(situation.candidates), 4)).copy()
+    column = np.array([[*situation.candidates.size, area]]).T
+    return np.repeat(column, len(situation.candidates), axis=1).T
 
 
 @lru_cache(maxsize=64)
@@ -167,13 +163,23 @@ def mirror_places(around: Surroundings, category: str) -> Floats:
 def _look_at(situation: Situation, group_of: Ints, groups: int) -> Floats:
     candidates, around = situation.candidates, situation.surroundings
     fronted = np.array([name not in around.frontless for name in around.categories], dtype=bool)
-    out = np.empty((len(candidates), groups * len(scan.NEIGHBOR_PARTS)))
+    parts = len(scan.NEIGHBOR_PARTS)
+    out, beyond = np.empty((groups * parts, len(candidates))), np.empty((groups, len(candidates)))
     scan.look_at_neighbors(
-        _poses(situation), candidates.headings, _half(situation), candidates.bottoms,
-        _symmetric(situation), around.footprints.rows, around.footprints.headings, around.tops,
-        around.fronts_known & fronted, group_of, groups, out,
+        situation.shapes.columns, candidates.headings, candidates.bottoms, _symmetric(situation),
+        around.footprints.rows, situation.gaps.T, around.footprints.headings, around.tops,
+        around.fronts_known & fronted, group_of, groups, out, beyond,
     )  # fmt: skip
-    return out
+    bearings = out[scan.NEIGHBOR_PARTS.index("bearing") :: parts]
+    bearings[:] = _bearings(situation, bearings, beyond)
+    return out.T
+
+
+def _bearings(situation: Situation, aside: Floats, ahead: Floats) -> Floats:
+    """How far from straight ahead offsets point: 0 to π, and 0 where there is no offset."""
+    bearing = np.abs(np.arctan2(aside, ahead))
+    bearing[(np.abs(aside) < TIE) & (np.abs(ahead) < TIE)] = 0.0
+    return np.minimum(bearing, np.pi - bearing) if _symmetric(situation) else bearing
 
 
 def _of_the_kind(around: Surroundings, category: str) -> Bools:
@@ -183,15 +189,6 @@ def _of_the_kind(around: Surroundings, category: str) -> Bools:
 def _symmetric(situation: Situation) -> bool:
     """Has the object no front?"""
     return situation.candidates.category in situation.surroundings.frontless
-
-
-def _half(situation: Situation) -> Floats:
-    return np.array(situation.candidates.size[:2]) / 2
-
-
-def _poses(situation: Situation) -> Floats:
-    """Rows x, y, cos, sin of the poses."""
-    return np.concatenate([situation.candidates.centers[:, :2], situation.fronts], axis=1)
 
 
 WALLS = Relation("Walls", "W", "continuous", _walls, parts=scan.WALL_PARTS)

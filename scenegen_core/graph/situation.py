@@ -4,13 +4,16 @@ from __future__ import annotations
 
 from functools import cached_property
 
+import numpy as np
+
 from scenegen_core.graph.candidates import Candidates
+from scenegen_core.graph.scan import rays_to_walls
 from scenegen_core.graph.surroundings import Surroundings
 from scenegen_core.scene.geometry import (
     Bools,
     Floats,
     Ints,
-    directions,
+    Rectangles,
     distances_to_segments,
     gaps,
     left_of,
@@ -33,9 +36,14 @@ class Situation:
         return Situation(self.candidates[index], self.surroundings)
 
     @cached_property
+    def shapes(self) -> Rectangles:
+        """The footprints B(O_k): n."""
+        return self.candidates.footprints
+
+    @cached_property
     def gaps(self) -> Floats:
         """δ(B(O_k), B(O_j)), metres, negative where they overlap: (n, m)."""
-        return gaps(self.candidates.footprints, self.surroundings.footprints)
+        return gaps(self.shapes, self.surroundings.footprints)
 
     @cached_property
     def wall_distances(self) -> Floats:
@@ -45,22 +53,29 @@ class Situation:
     @cached_property
     def wall_gaps(self) -> Floats:
         """δ(B(O_k), W_i) from the footprints, metres: (n, l)."""
-        return gaps(self.candidates.footprints, self.surroundings.wall_shapes)
+        return gaps(self.shapes, self.surroundings.wall_shapes)
 
     @cached_property
     def overlaps(self) -> Floats:
         """Like ``gaps`` where footprints overlap; elsewhere positive, cheaper: (n, m)."""
-        return separations(self.candidates.footprints, self.surroundings.footprints)
+        return separations(self.shapes, self.surroundings.footprints)
 
     @cached_property
     def wall_overlaps(self) -> Floats:
         """Like ``wall_gaps`` where a footprint passes a wall; elsewhere positive: (n, l)."""
-        return separations(self.candidates.footprints, self.surroundings.wall_shapes)
+        return separations(self.shapes, self.surroundings.wall_shapes)
+
+    @cached_property
+    def wall_reach(self) -> Floats:
+        """How far the rays ahead, behind, left and right run to the first wall, metres: (4, n)."""
+        reach = np.empty((4, len(self.candidates)))
+        rays_to_walls(self.shapes.columns, self.surroundings.walls, reach)
+        return reach
 
     @cached_property
     def fronts(self) -> Floats:
         """The primary axes a_k: (n, 2)."""
-        return directions(self.candidates.headings)
+        return self.shapes.columns[2:4].T
 
     @cached_property
     def faces(self) -> Bools:

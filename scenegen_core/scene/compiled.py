@@ -1,6 +1,8 @@
 """Compiled loops over pairs of rectangles; compiled once and kept on disk.
 
-Rectangles are rows (x, y, cos, sin, half depth, half width) of center, heading and half sizes.
+A rectangle is its center, the cosine and sine of its heading, and its half depth and half width:
+``columns`` (6, n) where the loop runs over them, ``rows`` (m, 6) where it looks at one at a time.
+The inner loops run over poses, without branches, so that a processor works on several at once.
 """
 
 from __future__ import annotations
@@ -15,94 +17,93 @@ Floats = NDArray[np.float64]
 Bools = NDArray[np.bool_]
 
 compiled = njit(cache=True, nogil=True, error_model="numpy")
+inlined = njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
+"""For what inner loops call: one that calls anything works on one pose at a time."""
 
 
-@compiled
+@inlined
 def outside(x: float, y: float, half_x: float, half_y: float) -> float:
     """Squared distance of a point to a rectangle at the origin."""
     beyond_x, beyond_y = max(abs(x) - half_x, 0.0), max(abs(y) - half_y, 0.0)
     return beyond_x * beyond_x + beyond_y * beyond_y
 
 
+@inlined
+def separation(
+    dx: float, dy: float, cos: float, sin: float, depth: float, width: float,
+    far_cos: float, far_sin: float, far_depth: float, far_width: float,
+) -> float:  # fmt: skip
+    """The largest separation along the four edge normals, metres.
+
+    ``dx``, ``dy`` lead from the other rectangle to ours. Where it is negative it is the signed
+    gap; where positive, the gap is no less. Much cheaper.
+    """
+    ac, as_ = abs(cos * far_cos + sin * far_sin), abs(sin * far_cos - cos * far_sin)
+    return float(
+        max(
+            abs(dx * far_cos + dy * far_sin) - far_depth - depth * ac - width * as_,
+            abs(dy * far_cos - dx * far_sin) - far_width - depth * as_ - width * ac,
+            abs(dx * cos + dy * sin) - depth - far_depth * ac - far_width * as_,
+            abs(dx * sin - dy * cos) - width - far_depth * as_ - far_width * ac,
+        )
+    )
+
+
+@inlined
+def corner_distance(
+    dx: float, dy: float, cos: float, sin: float, depth: float, width: float,
+    far_cos: float, far_sin: float, far_depth: float, far_width: float,
+) -> float:  # fmt: skip
+    """The least distance from a corner of one rectangle to the other, metres."""
+    x2, y2 = dx * far_cos + dy * far_sin, dy * far_cos - dx * far_sin
+    x1, y1 = -(dx * cos + dy * sin), dx * sin - dy * cos
+    c, s = cos * far_cos + sin * far_sin, sin * far_cos - cos * far_sin
+    dc, ws, ds, wc = depth * c, width * s, depth * s, width * c
+    fdc, fws, fds, fwc = far_depth * c, far_width * s, far_depth * s, far_width * c
+    least = min(
+        outside(x2 + dc - ws, y2 + ds + wc, far_depth, far_width),
+        outside(x2 + dc + ws, y2 + ds - wc, far_depth, far_width),
+        outside(x2 - dc - ws, y2 - ds + wc, far_depth, far_width),
+        outside(x2 - dc + ws, y2 - ds - wc, far_depth, far_width),
+        outside(x1 + fdc + fws, y1 - fds + fwc, depth, width),
+        outside(x1 + fdc - fws, y1 - fds - fwc, depth, width),
+        outside(x1 - fdc + fws, y1 + fds + fwc, depth, width),
+        outside(x1 - fdc - fws, y1 + fds - fwc, depth, width),
+    )
+    return math.sqrt(least)
+
+
 @compiled
-def gap(
-    x: float, y: float, cos: float, sin: float, depth: float, width: float, other: Floats
-) -> float:
-    """Signed gap of two rectangles, metres.
+def all_gaps(columns: Floats, others: Floats, out: Floats) -> None:
+    """The signed gap of every pair, metres: (others, shapes).
 
     Two that do not meet are nearest at a corner of one of them, so the distance is the least of
     eight distances from a corner to a rectangle. Two that meet have the separating-axis depth: the
     largest (least negative) separation along the four edge normals.
     """
-    dx, dy = x - other[0], y - other[1]
-    far_depth, far_width = other[4], other[5]
-    x2, y2 = dx * other[2] + dy * other[3], dy * other[2] - dx * other[3]
-    x1, y1 = -(dx * cos + dy * sin), dx * sin - dy * cos
-    c, s = cos * other[2] + sin * other[3], sin * other[2] - cos * other[3]
-    ac, as_ = abs(c), abs(s)
-    parted: float = max(
-        abs(x2) - far_depth - depth * ac - width * as_,
-        abs(y2) - far_width - depth * as_ - width * ac,
-        abs(x1) - depth - far_depth * ac - far_width * as_,
-        abs(y1) - width - far_depth * as_ - far_width * ac,
-    )
-    if parted <= 0:
-        return parted
-    least = math.inf
-    for i in (-1.0, 1.0):
-        for j in (-1.0, 1.0):
-            least = min(
-                least,
-                outside(
-                    x2 + i * depth * c - j * width * s, y2 + i * depth * s + j * width * c,
-                    far_depth, far_width,
-                ),
-                outside(
-                    x1 + i * far_depth * c + j * far_width * s,
-                    y1 - i * far_depth * s + j * far_width * c,
-                    depth, width,
-                ),
-            )  # fmt: skip
-    return math.sqrt(least)
+    x, y, cos, sin = columns[0], columns[1], columns[2], columns[3]
+    depth, width = columns[4], columns[5]
+    for j in range(len(others)):
+        ox, oy, oc, os, od, ow = others[j]
+        row = out[j]
+        for i in range(len(x)):
+            dx, dy = x[i] - ox, y[i] - oy
+            parted = separation(dx, dy, cos[i], sin[i], depth[i], width[i], oc, os, od, ow)
+            away = corner_distance(dx, dy, cos[i], sin[i], depth[i], width[i], oc, os, od, ow)
+            row[i] = away if parted > 0 else parted
 
 
 @compiled
-def all_gaps(shapes: Floats, others: Floats, out: Floats) -> None:
-    """The signed gap of every pair: (shapes, others)."""
-    for i in range(len(shapes)):
-        x, y, cos, sin, depth, width = shapes[i]
-        for j in range(len(others)):
-            out[i, j] = gap(x, y, cos, sin, depth, width, others[j])
-
-
-@compiled
-def separation(
-    x: float, y: float, cos: float, sin: float, depth: float, width: float, other: Floats
-) -> float:
-    """The largest separation along the four edge normals, metres.
-
-    Where it is negative it is the signed gap; where positive, the gap is no less. Much cheaper.
-    """
-    dx, dy = x - other[0], y - other[1]
-    ac = abs(cos * other[2] + sin * other[3])
-    as_ = abs(sin * other[2] - cos * other[3])
-    return float(
-        max(
-            abs(dx * other[2] + dy * other[3]) - other[4] - depth * ac - width * as_,
-            abs(dy * other[2] - dx * other[3]) - other[5] - depth * as_ - width * ac,
-            abs(dx * cos + dy * sin) - depth - other[4] * ac - other[5] * as_,
-            abs(dx * sin - dy * cos) - width - other[4] * as_ - other[5] * ac,
-        )
-    )
-
-
-@compiled
-def all_separations(shapes: Floats, others: Floats, out: Floats) -> None:
-    """The separation of every pair: (shapes, others)."""
-    for i in range(len(shapes)):
-        x, y, cos, sin, depth, width = shapes[i]
-        for j in range(len(others)):
-            out[i, j] = separation(x, y, cos, sin, depth, width, others[j])
+def all_separations(columns: Floats, others: Floats, out: Floats) -> None:
+    """The separation of every pair, metres: (others, shapes)."""
+    x, y, cos, sin = columns[0], columns[1], columns[2], columns[3]
+    depth, width = columns[4], columns[5]
+    for j in range(len(others)):
+        ox, oy, oc, os, od, ow = others[j]
+        row = out[j]
+        for i in range(len(x)):
+            dx, dy = x[i] - ox, y[i] - oy
+            row[i] = separation(dx, dy, cos[i], sin[i], depth[i], width[i], oc, os, od, ow)
 
 
 @compiled

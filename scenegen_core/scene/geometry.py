@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
@@ -22,7 +23,7 @@ Ints = NDArray[np.int64]
 TIE = 1e-9  # metres; distances that differ by rounding only are the same
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)
 class Rectangles:
     """n upright footprints: centers (n, 2), halves (n, 2), headings (n,)."""
 
@@ -42,10 +43,17 @@ class Rectangles:
         along = directions(self.headings)
         return np.stack([along, left_of(along)], axis=1)
 
+    @cached_property
+    def columns(self) -> Floats:
+        """x, y, cos, sin, half depth, half width, as compiled loops take them: (6, n)."""
+        return np.stack(
+            [*self.centers.T, np.cos(self.headings), np.sin(self.headings), *self.halves.T]
+        )
+
     @property
     def rows(self) -> Floats:
-        """Rows x, y, cos, sin, half depth, half width, as compiled loops take them: (n, 6)."""
-        return np.concatenate([self.centers, directions(self.headings), self.halves], axis=1)
+        """The same, one rectangle after the other: (n, 6)."""
+        return np.ascontiguousarray(self.columns.T)
 
     @property
     def corners(self) -> Floats:
@@ -92,16 +100,16 @@ def gaps(shapes: Rectangles, others: Rectangles) -> Floats:
 
     Positive: the shortest distance. Negative: how far one must move to part them.
     """
-    out = np.empty((len(shapes), len(others)))
-    all_gaps(shapes.rows, others.rows, out)
-    return out
+    out = np.empty((len(others), len(shapes)))
+    all_gaps(shapes.columns, others.rows, out)
+    return out.T
 
 
 def separations(shapes: Rectangles, others: Rectangles) -> Floats:
     """Like gaps where footprints overlap; elsewhere positive and no more than the gap, metres."""
-    out = np.empty((len(shapes), len(others)))
-    all_separations(shapes.rows, others.rows, out)
-    return out
+    out = np.empty((len(others), len(shapes)))
+    all_separations(shapes.columns, others.rows, out)
+    return out.T
 
 
 def within(points: Floats, walls: Floats) -> Bools:
