@@ -77,6 +77,7 @@ def test_without_the_code_a_phone_stays_outside(phone: Page, address: str) -> No
 def test_a_phone_goes_on_with_the_room_that_the_page_shows(
     phone: Page, browser: Browser, address: str
 ) -> None:
+    expect.set_options(timeout=PATIENCE * 1000)
     context = browser.new_context(viewport=DESKTOP, ignore_https_errors=True)
     page = context.new_page()
     page.set_default_timeout(PATIENCE * 1000)
@@ -96,4 +97,9 @@ def test_a_phone_goes_on_with_the_room_that_the_page_shows(
     expect(phone.get_by_text("Connected")).to_be_attached()
     assert "session" not in phone.url
     expect(page.locator(".pill")).to_contain_text("open elsewhere")
+    phone.locator("button.room-name").tap()
+    phone.locator("#rooms-menu").get_by_role("button", name="New room").tap()
+    expect(phone.get_by_text("Connected")).to_be_attached()
+    page.reload()  # what the phone did is not lost
+    expect(page.locator("button.room-name")).to_have_text("My room")
     context.close()

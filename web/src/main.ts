@@ -59,6 +59,7 @@ function connect(store: Store, assets: AssetCache): () => void {
     session: joined ?? rememberedSession(),
     joining: joined !== null,
     remember: rememberSession,
+    replaced: shareSession,
   });
   const connection = new Connection({
     url: socketUrl(),
@@ -80,6 +81,13 @@ function takeSharedSession(): string | null {
   url.searchParams.delete("session");
   if (session !== null) history.replaceState(null, "", url);
   return session;
+}
+
+/** Makes the address one that joins the session, so that a reload takes over its newest room. */
+function shareSession(session: string): void {
+  const url = new URL(location.href);
+  url.searchParams.set("session", session);
+  history.replaceState(null, "", url);
 }
 
 /** The socket beside the page, with whatever else its address says (the key of a network). */

@@ -52,6 +52,7 @@ function page() {
     send: (message) => sent.push(message) > 0,
     session,
     joining: false,
+    replaced: () => {},
     remember: () => undefined,
   });
   const hear = (type: ServerMessage["type"]): void => live.text(JSON.stringify(golden(type)));

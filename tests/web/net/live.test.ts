@@ -26,6 +26,7 @@ function start(session: string | null = null, joining = false) {
   const store = createStore(begin([box("table")]));
   const assets = new AssetCache(async () => null);
   const remembered: string[] = [];
+  const replaced: string[] = [];
   const live = new Live({
     store,
     assets,
@@ -33,6 +34,7 @@ function start(session: string | null = null, joining = false) {
     session,
     joining,
     remember: (id) => remembered.push(id),
+    replaced: (id) => replaced.push(id),
   });
   const connection = new Connection({
     url: "ws://room/socket",
@@ -41,7 +43,7 @@ function start(session: string | null = null, joining = false) {
     random: () => 1,
   });
   connection.start();
-  return { ...net, store, assets, remembered };
+  return { ...net, store, assets, remembered, replaced };
 }
 
 /** Connected, the first scene uploaded and acknowledged as revision 1. */
@@ -356,5 +358,16 @@ describe("a connection closed for good", () => {
     vi.advanceTimersByTime(60_000);
     expect(sockets).toHaveLength(1);
     expect(store.getState().connection).toMatchObject({ status: "offline", ended });
+  });
+
+  test("only because it was opened elsewhere, its newest room is there", () => {
+    for (const [code, told] of [
+      [4400, []],
+      [4402, ["s1"]],
+    ] as const) {
+      const { socket, replaced } = online();
+      socket.drops(code, "whatever the server says");
+      expect(replaced).toEqual(told);
+    }
   });
 });

@@ -15,15 +15,16 @@ import {
   mismatched,
   unsent,
 } from "./outbox";
-import type {
-  Ack,
-  ClientMessage,
-  HeatMapHeader,
-  Inspected,
-  Maps,
-  Problem,
-  ServerMessage,
-  Welcome,
+import {
+  type Ack,
+  CLOSE_REPLACED,
+  type ClientMessage,
+  type HeatMapHeader,
+  type Inspected,
+  type Maps,
+  type Problem,
+  type ServerMessage,
+  type Welcome,
 } from "./protocol.gen";
 import { askedOf, inspectionDone, NO_QUESTIONS, poseInspected } from "./questions";
 
@@ -41,6 +42,8 @@ export interface Ties {
   /** True when the session was begun on another device: its room is taken over. */
   readonly joining: boolean;
   readonly remember: (session: string) => void;
+  /** The session was opened elsewhere: its newest room is there, no longer here. */
+  readonly replaced: (session: string) => void;
 }
 
 interface Arrived {
@@ -101,6 +104,7 @@ export class Live implements Listener {
 
   refused(code: number, reason: string): void {
     this.lost();
+    if (code === CLOSE_REPLACED && this.#session !== null) this.#ties.replaced(this.#session);
     const ended = endingOf(code, reason);
     this.#ties.store.dispatch({ type: "connection", connection: { ended } });
   }
