@@ -311,6 +311,26 @@ def test_the_map_lies_on_the_real_floor_and_the_places_stand_on_it(at_home: Phon
     assert phone.page.screenshot() != with_map
 
 
+def test_a_tap_on_the_floor_asks_why_not_here_and_the_sheet_says_it(at_home: Phone) -> None:
+    phone = at_home
+    phone.choose("Chair")
+    phone.answer()
+    phone.tap_at((2.3, 0.45, 0.0), (2.0, 1.9, 1.6))
+    told = phone.verdict()
+    assert told["allowed"], told["sentence"]
+    steps = phone.page.get_by_role("group", name="Place after place")
+    expect(steps).to_contain_text("Your own place")
+    steps.get_by_role("button", name="Why not here?").click()
+    sheet = phone.page.get_by_label("Panel", exact=True)
+    cost = next(one for one in told["costs"] if one["best"])
+    expect(sheet.get_by_text(f"Best place: {cost['best']}").first).to_be_in_viewport()
+    phone.rest(6)
+    take_picture(phone.page, "ar-why-not-here")
+    phone.press("Move it there")
+    there = phone.inspected()
+    assert math.dist(there["center"][:2], (2.3, 0.45)) > 0.05
+
+
 def test_real_things_hide_what_is_behind_them_until_told_not_to(at_home: Phone) -> None:
     phone = at_home
     hide = phone.button("Hide")

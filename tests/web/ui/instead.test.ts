@@ -4,6 +4,7 @@ import type { Inspected, Remedy } from "../../../web/src/net/protocol.gen";
 import { planUrl } from "../../../web/src/ui/known_rooms";
 import { decision, placePanel } from "../../../web/src/ui/place";
 import { reasonsPanel } from "../../../web/src/ui/reasons";
+import { stepper } from "../../../web/src/ui/stepper";
 import { answer, begin, box, play } from "../rooms";
 import { sitDown, wordsOf } from "./desk";
 
@@ -64,6 +65,18 @@ describe("why not here", () => {
     expect(words).toContain("Why not here? Neighbors · TV Its back to the TV");
     expect(words).toContain("Best place: 2 m in front of the TV");
     expect(words).toMatch(/Better: 30 cm further from the door \. By the window/);
+  });
+
+  test("on a small screen one tap leads there", () => {
+    const cost = { relation: "Neighbor", group: "TV", difference: -2, here: "far", best: "near" };
+    const small = (state: State): string => {
+      if (state.placing === null) throw new Error("Nothing is being placed.");
+      return wordsOf(stepper(sitDown(state).page, state.placing));
+    };
+    expect(small(inspected({ costs: [cost] }))).toMatch(/Your own place .*Why not here\?$/);
+    expect(small(inspected({}))).toMatch(/Why here\?$/);
+    expect(small(offered)).toMatch(/1 of 2 · At the wall Against the wall\. Why here\?$/);
+    expect(small(inspected({ allowed: false }))).not.toContain("here?");
   });
 
   test("a place as good as the best costs nothing", () => {

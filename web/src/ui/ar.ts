@@ -5,6 +5,7 @@ import type { Ar } from "../model/state";
 import { foundInWords, markInWords, obstacleInWords } from "./ar_words";
 import { chips } from "./categories";
 import { button, iconButton, section, toolButton } from "./controls";
+import { openJoin } from "./join";
 import type { Page } from "./page";
 import { allPlaced } from "./quick_look";
 import { selectionPanel } from "./selection";
@@ -35,7 +36,16 @@ export function arDoor(page: Page): TemplateResult {
 
 /** What there is where there is no camera view. */
 function instead(page: Page, obstacle: string): TemplateResult {
-  if (!page.services.quickLook) return html`<p>${obstacle}</p>`;
+  if (!page.services.quickLook) {
+    const open = (): void => {
+      page.change({ arDoor: false });
+      openJoin(page);
+    };
+    return html`<p>${obstacle}</p>
+      <div class="ways-in desk-only">
+        ${button({ icon: "phone", label: "Open on your phone", run: open })}
+      </div>`;
+  }
   return html`<p>
       ${obstacle} What you place in it you can look at in the real room: place something, then press
       “See it in your room”.

@@ -62,8 +62,10 @@ function height({ dispatch }: Page, draft: Draft & { kind: "box-height" }): Temp
   const finish = (height: number): void => dispatch({ type: "draw-height", height, done: true });
   const { size } = draft.box;
   return html`<p class="number">${formatSize(size)}</p>
-    ${lengthField({ id: "draft-height", label: "Height", unit: "cm", value: size[2], step: STEP, change: finish })}
-    ${button({ icon: "check", label: "Done", keys: "Enter", run: () => finish(size[2]) }, "primary")}`;
+    <div class="field-and-button">
+      ${lengthField({ id: "draft-height", label: "Height", unit: "cm", value: size[2], step: STEP, change: finish })}
+      ${button({ icon: "check", label: "Done", keys: "Enter", run: () => finish(size[2]) }, "primary")}
+    </div>`;
 }
 
 /** The next wall by its length and its direction. */

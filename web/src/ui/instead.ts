@@ -18,6 +18,12 @@ export function wayOut({ state, dispatch }: Page): TemplateResult | typeof nothi
   return button({ icon: "next", label: `Move it ${text}`, run });
 }
 
+/** Whether the ghost stands where it may, but another place is better. */
+export function isWorse(placing: Placing): boolean {
+  const { inspected } = placing;
+  return isAbout(placing) && inspected?.allowed === true && inspected.costs.length > 0;
+}
+
 /** What a place of one's own loses to the best one, and where it would be better. */
 export function costs({ state, dispatch }: Page): TemplateResult | typeof nothing {
   const { placing } = state;

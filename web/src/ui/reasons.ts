@@ -29,7 +29,7 @@ export function reasonsPanel(page: Page): TemplateResult | typeof nothing {
         ${ended(verdict.sentence)}
         ${verdict.likelihood === null ? nothing : html`<small>A ${likelihoodInWords(verdict.likelihood)} place.</small>`}
       </p>
-      ${bars(page, verdict.reasons)} ${total(page, verdict)} ${costs(page)}
+      ${costs(page)} ${bars(page, verdict.reasons)} ${total(page, verdict)}
       ${knownRooms(page, placing.category, verdict.rooms)} ${mattersPart(page, placing)}`;
   return placing.mode === "manual" ? onDemand(why) : section("Why here", why, "reasons");
 }

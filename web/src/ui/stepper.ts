@@ -3,6 +3,7 @@ import { html, nothing, type TemplateResult } from "lit";
 import { shownRefusal } from "../model/ghost";
 import type { Placing } from "../model/state";
 import { iconButton } from "./controls";
+import { isWorse } from "./instead";
 import type { Page } from "./page";
 import { verdictOf } from "./reasons";
 import { begun, ended } from "./words";
@@ -19,10 +20,24 @@ export function stepper(page: Page, placing: Placing): TemplateResult {
     ${choosing ? iconButton({ icon: "before", label: "The place before", run: step(-1) }) : nothing}
     <p>
       ${choosing ? html`<b>${at < 0 ? "Your own place" : `${at + 1} of ${places.length} · ${begun(places[at]?.name ?? "")}`}</b>` : nothing}
-      ${ended(wordsOf(page, placing))}
+      ${ended(wordsOf(page, placing))} ${why(page, placing)}
     </p>
     ${choosing ? iconButton({ icon: "next", label: "The next place", run: step(1) }) : nothing}
   </div>`;
+}
+
+/** To what speaks for the place or against it, further down in the sheet. */
+function why({ change }: Page, placing: Placing): TemplateResult | typeof nothing {
+  if (verdictOf(placing) === null) return nothing;
+  const run = (): void => {
+    change({ sheet: "half" });
+    const part = document.querySelector(".panel .reasons");
+    if (part instanceof HTMLDetailsElement) part.open = true;
+    part?.scrollIntoView();
+  };
+  return html`<button type="button" class="link" @click=${run}>
+    ${isWorse(placing) ? "Why not here?" : "Why here?"}
+  </button>`;
 }
 
 /** How things stand with the place, in one sentence. */
