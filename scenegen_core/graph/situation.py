@@ -56,11 +56,6 @@ class Situation:
         return gaps(self.shapes, self.surroundings.wall_shapes)
 
     @cached_property
-    def overlaps(self) -> Floats:
-        """Like ``gaps`` where footprints overlap; elsewhere positive, cheaper: (n, m)."""
-        return separations(self.shapes, self.surroundings.footprints)
-
-    @cached_property
     def wall_overlaps(self) -> Floats:
         """Like ``wall_gaps`` where a footprint passes a wall; elsewhere positive: (n, l)."""
         return separations(self.shapes, self.surroundings.wall_shapes)

@@ -27,6 +27,7 @@ Table = NDArray[np.float32]
 
 BINS = 36  # of a column, the last for what is not there
 MISSING = BINS - 1
+CELLS = 512  # of a column; finer than any two edges lie apart, so that a bin is found at once
 HAIR = 1e-6  # of any unit; poses on grids lie on round numbers, where rounding must not decide
 
 LENGTHS = (
@@ -91,42 +92,62 @@ def _edges(named: tuple[Column, ...]) -> Floats:
     return table
 
 
+@lru_cache(maxsize=8)
+def _cells(named: tuple[Column, ...]) -> tuple[Floats, Bins]:
+    """Even cells over the edges of every column, to start looking from: (columns, 2 + CELLS).
+
+    Where the cells start and how many there are a unit: (columns, 2); a bin that no value of a
+    cell lies below: (columns, CELLS).
+    """
+    edges = _edges(named)
+    low, high = edges[:, 0], np.where(np.isfinite(edges), edges, -np.inf).max(axis=1)
+    steps = np.maximum(high - low, 1.0) / (CELLS - 2)
+    starts = low - steps
+    bounds = starts[:, None] + (np.arange(CELLS) - 0.5) * steps[:, None]  # half a cell of leeway
+    below = (edges[:, None, :] <= bounds[:, :, None]).sum(axis=2)
+    return np.stack([starts, 1 / steps], axis=1), below.astype(np.uint8)
+
+
 def binned(features: Floats, named: tuple[Column, ...]) -> Bins:
     """The bin of every value: (poses, columns)."""
-    out = np.empty(features.shape, dtype=np.uint8)
-    _cut(features, _edges(named), out)
+    return np.ascontiguousarray(_bins(features, named).T)
+
+
+def _bins(features: Floats, named: tuple[Column, ...]) -> Bins:
+    """The same, column by column: (columns, poses)."""
+    out = np.empty(features.shape[::-1], dtype=np.uint8)
+    _cut(np.ascontiguousarray(features.T), _edges(named), *_cells(named), out)
     return out
 
 
 @njit(cache=True, nogil=True)
-def _cut(features: Floats, edges: Floats, out: Bins) -> None:
-    poses, width = features.shape
-    for n in range(poses):
-        for c in range(width):
-            value = features[n, c]
+def _cut(features: Floats, edges: Floats, scales: Floats, cells: Bins, out: Bins) -> None:
+    width, poses = features.shape
+    for c in range(width):
+        start, scale = scales[c]
+        for n in range(poses):
+            value = features[c, n]
             if np.isnan(value):
-                out[n, c] = MISSING
+                out[c, n] = MISSING
                 continue
-            low, high = 0, edges.shape[1]
-            while low < high:
-                middle = (low + high) // 2
-                if value >= edges[c, middle]:
-                    low = middle + 1
-                else:
-                    high = middle
-            out[n, c] = low
+            cell = int(min(max((value - start) * scale, 0.0), CELLS - 1.0))
+            found = cells[c, cell]
+            while found < BINS - 2 and value >= edges[c, found]:
+                found += 1
+            out[c, n] = found
 
 
 @njit(cache=True, nogil=True)
 def _sum(bins: Bins, curves: Table, pairs: Ints, surfaces: Table, out: Floats) -> None:
-    poses, width = bins.shape
-    for n in range(poses):
-        total = 0.0
-        for c in range(width):
-            total += curves[c, bins[n, c]]
-        for k in range(len(pairs)):
-            total += surfaces[k, bins[n, pairs[k, 0]], bins[n, pairs[k, 1]]]
-        out[n] = total
+    width, poses = bins.shape
+    out[:] = 0.0
+    for c in range(width):
+        for n in range(poses):
+            out[n] += curves[c, bins[c, n]]
+    for k in range(len(pairs)):
+        one, two = pairs[k]
+        for n in range(poses):
+            out[n] += surfaces[k, bins[one, n], bins[two, n]]
 
 
 @dataclass(frozen=True, eq=False)
@@ -153,11 +174,14 @@ class Choice:
 
     def score(self, features: Floats) -> Floats:
         """The log of how much likelier each pose is chosen, up to a constant of the room: (n,)."""
-        return self.score_bins(binned(features, self.columns))
+        return self._sum(_bins(features, self.columns))
 
     def score_bins(self, bins: Bins) -> Floats:
         """The same of columns that are cut already."""
-        out = np.empty(len(bins))
+        return self._sum(np.ascontiguousarray(bins.T))
+
+    def _sum(self, bins: Bins) -> Floats:
+        out = np.empty(bins.shape[1])
         _sum(bins, self.curves, self.pairs, self.surfaces, out)
         return out
 

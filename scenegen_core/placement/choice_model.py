@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from concurrent.futures import ThreadPoolExecutor
-from os import cpu_count
+from functools import cached_property
 
 import numpy as np
 
@@ -11,10 +10,9 @@ from scenegen_core.graph.own_relations import OWN_RELATIONS, SIZE
 from scenegen_core.graph.relations import measure
 from scenegen_core.graph.situation import Situation
 from scenegen_core.knowledge.knowledge import Knowledge
+from scenegen_core.placement.blocks import in_blocks
 from scenegen_core.placement.parts import Parts, Subject
 from scenegen_core.scene.geometry import Floats
-
-AT_ONCE = 4096  # poses whose columns fit into a processor's cache
 
 
 class ChoiceModel:
@@ -30,15 +28,10 @@ class ChoiceModel:
             dict.fromkeys(subject for subject in subjects if subject[0] != SIZE.short)
         )
         self._belongs = self._shares_of(subjects)
-        self._known = self._by_subject(self._choice.terms_of_bins(self._choice.examples))
 
     def total(self, situation: Situation) -> Floats:
         """The log of how much likelier each pose is chosen: (n,). Uses all processors."""
-        parts = [situation[i : i + AT_ONCE] for i in range(0, len(situation.candidates), AT_ONCE)]
-        if len(parts) <= 1:
-            return self._score(situation)
-        with ThreadPoolExecutor(min(len(parts), cpu_count() or 1)) as threads:
-            return np.concatenate(list(threads.map(self._score, parts)))
+        return in_blocks(self._score, situation)
 
     def _score(self, situation: Situation) -> Floats:
         return self._choice.score(measure(OWN_RELATIONS, situation))
@@ -67,6 +60,11 @@ class ChoiceModel:
         return tuple(
             dict.fromkeys(self._choice.rooms[i] for i in np.argsort(differs, kind="stable"))
         )
+
+    @cached_property
+    def _known(self) -> Floats:
+        """What every subject added where people chose: (examples, subjects)."""
+        return self._by_subject(self._choice.terms_of_bins(self._choice.examples))
 
     def _by_subject(self, terms: Floats) -> Floats:
         """Curves and surfaces summed by subject: (n, subjects)."""

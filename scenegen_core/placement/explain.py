@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sized
 from dataclasses import dataclass
 
 import numpy as np
@@ -33,6 +33,11 @@ class Explanation:
     rooms: tuple[str, ...]
 
 
+def reference(possible: Sized) -> slice:
+    """Those of a room's possible poses whose average all scores are told relative to."""
+    return slice(None, None, max(1, len(possible) // REFERENCES))
+
+
 class Explainer:
     """Compares poses with the average possible pose of the same room."""
 
@@ -47,11 +52,8 @@ class Explainer:
             group.name == possible.category and group.symmetry is Symmetry.SYMMETRIC
             for group in around.groups
         )
-        step = max(1, len(possible) // REFERENCES)
-        reference = model.parts(Situation(possible[::step], around))
-        self._average = dict(zip(reference.subjects, reference.values.mean(axis=0), strict=True))
-        self.baseline = float(sum(self._average.values()))
-        """The log score of the average possible pose: scores are told relative to it."""
+        average = model.parts(Situation(possible[reference(possible)], around))
+        self._average = dict(zip(average.subjects, average.values.mean(axis=0), strict=True))
 
     def explain(self, pose: Candidates) -> Explanation:
         """Why a single pose (n = 1) has its score."""

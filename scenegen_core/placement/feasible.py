@@ -11,11 +11,13 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from scenegen_core.graph.candidates import Candidates
 from scenegen_core.graph.relations import RESTS
 from scenegen_core.graph.situation import Situation
 from scenegen_core.graph.surroundings import Surroundings
 from scenegen_core.placement.mounts import RUG_HEIGHT, SUPPORTS, Mount, mounts
 from scenegen_core.placement.proposals import inward, stands_on
+from scenegen_core.scene.compiled import all_collisions
 from scenegen_core.scene.geometry import (
     Bools,
     Floats,
@@ -117,7 +119,7 @@ def _floats(situation: Situation, _: Space) -> Bools:
         carriers = SUPPORTS.get(candidates.category, ())
         carries = np.array([box.category in carriers for box in around.scene.boxes], dtype=bool)
         level = np.abs(candidates.bottoms[:, None] - around.tops) <= RESTS
-        standing = stands_on(candidates.footprints, around.footprints)
+        standing = stands_on(situation.shapes, around.footprints)
         rests |= (level & carries & standing).any(axis=1)
     return ~rests
 
@@ -131,38 +133,39 @@ def collisions(situation: Situation) -> Bools:
     candidates, around = situation.candidates, situation.surroundings
     if candidates.size[2] <= RUG_HEIGHT:
         return np.zeros((len(candidates), len(around)), dtype=np.bool_)
-    shared = np.minimum(candidates.tops[:, None], around.tops) - np.maximum(
-        candidates.bottoms[:, None], around.bottoms
-    )
-    flat = around.tops - around.bottoms <= RUG_HEIGHT
-    presses = situation.overlaps < -_allowances(situation)
-    return np.asarray(presses & (shared > LAYER) & ~flat[None], dtype=np.bool_)
+    out = np.empty((len(around), len(candidates)), dtype=np.bool_)
+    all_collisions(
+        situation.shapes.columns, candidates.bottoms, candidates.tops, around.footprints.rows,
+        around.bottoms, around.tops, *_allowances(candidates, around), SEAT_ROOM, LAYER, out,
+    )  # fmt: skip
+    return out.T
 
 
-def _allowances(situation: Situation) -> Floats:
-    """How far each pose may reach into each box from above, metres: (n, m)."""
-    candidates, boxes = situation.candidates, situation.surroundings.scene.boxes
-    category = candidates.category
+def _allowances(candidates: Candidates, around: Surroundings) -> tuple[Floats, Floats]:
+    """How far poses may reach into each box, seen from above, metres: (m,) each.
+
+    Those that are lower than seats need, then those that seats go under.
+    """
+    category, boxes = candidates.category, around.scene.boxes
+    solid = around.tops - around.bottoms > RUG_HEIGHT
     under = np.array([GOES_UNDER.get((category, box.category), PRESS) for box in boxes])
     over = np.array([GOES_UNDER.get((box.category, category), PRESS) for box in boxes])
-    return np.maximum(
-        np.where(situation.surroundings.tops >= SEAT_ROOM, under, PRESS),
-        np.where(candidates.tops[:, None] >= SEAT_ROOM, over, PRESS),
-    )
+    under = np.where(around.tops >= SEAT_ROOM, under, PRESS)
+    return np.where(solid, under, np.inf), np.where(solid, np.maximum(under, over), np.inf)
 
 
 def _blocks_door(situation: Situation, space: Space) -> Bools:
     candidates = situation.candidates
     if candidates.size[2] <= RUG_HEIGHT:
         return np.zeros(len(candidates), dtype=np.bool_)
-    meets = separations(candidates.footprints, space.doors) < -PRESS
+    meets = separations(situation.shapes, space.doors) < -PRESS
     below = candidates.bottoms[:, None] < space.door_tops
     return np.asarray((meets & below).any(axis=1), dtype=np.bool_)
 
 
 def _covers_window(situation: Situation, space: Space) -> Bools:
     candidates = situation.candidates
-    meets = separations(candidates.footprints, space.windows) < -PRESS
+    meets = separations(situation.shapes, space.windows) < -PRESS
     sill, lintel = space.window_heights.T
     across = (candidates.tops[:, None] > sill + LAYER) & (candidates.bottoms[:, None] < lintel)
     return np.asarray((meets & across).any(axis=1), dtype=np.bool_)

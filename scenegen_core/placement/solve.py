@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import partial
 
 import numpy as np
 
@@ -23,7 +24,8 @@ from scenegen_core.placement.answer import (
     Pose,
     Query,
 )
-from scenegen_core.placement.explain import Explainer
+from scenegen_core.placement.blocks import in_blocks
+from scenegen_core.placement.explain import Explainer, reference
 from scenegen_core.placement.feasible import ALLOWED, RULES, Space, verdicts
 from scenegen_core.placement.heat_map import heat_maps, likelihood, scale
 from scenegen_core.placement.inspecting import Inspector
@@ -81,17 +83,18 @@ def solve(
     proposals = propose(around, learnt.category, size)
     keep_going()
     situation = Situation(proposals.candidates, around)
-    verdict = verdicts(situation, space)
+    verdict = in_blocks(partial(verdicts, space=space), situation)
     keep_going()
     possible = np.flatnonzero(verdict == ALLOWED)
     scores = _scores(model, proposals, possible, around)
     keep_going()
-    explainer = Explainer(model, around, proposals.candidates[possible]) if len(possible) else None
-    scores -= explainer.baseline if explainer else 0.0
+    if len(possible):
+        scores -= scores[possible[reference(possible)]].mean()
     bounds = scale(scores[possible])
     maps = heat_maps(proposals, scores, bounds)
     if not drawn(maps):
         raise Cancelled
+    explainer = Explainer(model, around, proposals.candidates[possible]) if len(possible) else None
     rng = np.random.default_rng(query.seed)
     choice = choose(
         proposals,

@@ -107,6 +107,38 @@ def all_separations(columns: Floats, others: Floats, out: Floats) -> None:
 
 
 @compiled
+def all_collisions(
+    columns: Floats,
+    bottoms: Floats,
+    tops: Floats,
+    others: Floats,
+    other_bottoms: Floats,
+    other_tops: Floats,
+    allowances: Floats,
+    tall_allowances: Floats,
+    tall: float,
+    layer: float,
+    out: Bools,
+) -> None:
+    """Which shapes reach further into others than allowed, at a common height: (others, shapes).
+
+    ``tall_allowances`` count for shapes whose tops are ``tall`` or more, metres; what shares less
+    height than a ``layer`` does not meet.
+    """
+    x, y, cos, sin = columns[0], columns[1], columns[2], columns[3]
+    depth, width = columns[4], columns[5]
+    for j in range(len(others)):
+        ox, oy, oc, os, od, ow = others[j]
+        low, high, some, more = other_bottoms[j], other_tops[j], allowances[j], tall_allowances[j]
+        row = out[j]
+        for i in range(len(x)):
+            dx, dy = x[i] - ox, y[i] - oy
+            apart = separation(dx, dy, cos[i], sin[i], depth[i], width[i], oc, os, od, ow)
+            shared = min(tops[i], high) - max(bottoms[i], low)
+            row[i] = (apart < -(more if tops[i] >= tall else some)) & (shared > layer)
+
+
+@compiled
 def inside(points: Floats, walls: Floats, out: Bools) -> None:
     """Is each point inside the outline that the walls make? Even-odd; an edge is either."""
     for i in range(len(points)):
