@@ -51,6 +51,10 @@ test: $(INSTALLED_FOR_TESTS) $(PAGE) browser  ## format, lint, types, unit and b
 	$(BIN)/python -m server.typescript --check
 	$(BIN)/pytest
 
+.PHONY: bench
+bench: $(INSTALLED_FOR_TESTS)  ## measure how fast places are found; results in benchmarks/results
+	PYTHONPATH=. $(BIN)/python benchmarks/placing.py | tee benchmarks/results/placing.md
+
 .PHONY: browser
 browser: $(INSTALLED_FOR_TESTS)
 	@if command -v chromium chromium-browser google-chrome >/dev/null; then :; \
