@@ -118,9 +118,10 @@ def _floats(situation: Situation, _: Space) -> Bools:
     if Mount.TOP in kinds:
         carriers = SUPPORTS.get(candidates.category, ())
         carries = np.array([box.category in carriers for box in around.scene.boxes], dtype=bool)
-        level = np.abs(candidates.bottoms[:, None] - around.tops) <= RESTS
-        standing = stands_on(situation.shapes, around.footprints)
-        rests |= (level & carries & standing).any(axis=1)
+        hovering = np.flatnonzero(~rests)
+        level = np.abs(candidates.bottoms[hovering, None] - around.tops[carries]) <= RESTS
+        standing = stands_on(situation.shapes[hovering], around.footprints[carries])
+        rests[hovering] = (level & standing).any(axis=1)
     return ~rests
 
 

@@ -58,9 +58,9 @@ class Grid:
     def index(self, points: Floats) -> Ints:
         """The flat index of the cell that each point lies in: (n, 2) -> (n,)."""
         rows, columns = self.shape
-        place = np.floor((points - self.origin) / self.cell).astype(np.int64)
-        column, row = place[:, 0].clip(0, columns - 1), place[:, 1].clip(0, rows - 1)
-        return np.asarray(row * columns + column, dtype=np.int64)
+        column = ((points[:, 0] - self.origin[0]) / self.cell).clip(0, columns - 1).astype(np.int64)
+        row = ((points[:, 1] - self.origin[1]) / self.cell).clip(0, rows - 1).astype(np.int64)
+        return row * columns + column
 
     def middles(self) -> Floats:
         """The middle of every cell, row by row: (rows * columns, 2)."""
@@ -253,7 +253,9 @@ def _points_on(shape: Rectangles, grid: Grid) -> Floats:
 
 def _raised(points: Floats, height: float) -> Floats:
     """Plan points at a height: (n, 2) -> (n, 3)."""
-    return np.column_stack([points, np.full(len(points), height)])
+    raised = np.empty((len(points), 3))
+    raised[:, :2], raised[:, 2] = points, height
+    return raised
 
 
 _POSES = {Mount.FLOOR: _floor_poses, Mount.WALL: _wall_poses, Mount.TOP: _top_poses}
