@@ -86,9 +86,7 @@ def _key(frame: Frame) -> str | None:
         case Binary(header=AssetHeader(digest=digest)):
             return digest
         case Binary(header=HeatMapHeader()):
-            raise TypeError(
-                "a heat map travels with the message that ends it; put them together"
-            )
+            raise TypeError("a heat map travels with the message that ends it; put them together")
         case _:
             return None
 
