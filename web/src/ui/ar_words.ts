@@ -42,7 +42,9 @@ function readyHint(state: State, ar: Ar): string | null {
   if (state.placing !== null) {
     if (state.placing.pose === null) return null;
     if (ar.carrying) return "Point to where it should go, and tap.";
-    return "Drag it, turn it with two fingers, or place it.";
+    return state.placing.mode === "manual"
+      ? "Drag it, turn it with two fingers, or place it."
+      : "Drag it, tap another spot to ask about it, or place it.";
   }
   if (state.draft !== null) return draftHint(state.draft, ar);
   switch (state.tool) {

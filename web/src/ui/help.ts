@@ -14,6 +14,7 @@ const GESTURES: readonly { gesture: string; words: string }[] = [
   { gesture: "Drag a selected thing", words: "Move it; Alt lets go of walls" },
   { gesture: "Drag its ring", words: "Turn it" },
   { gesture: "Drag the see-through thing", words: "Try another place and read why" },
+  { gesture: "Click or tap the bare floor", words: "While placing: why not there?" },
 ];
 
 export function help(page: Page): TemplateResult {

@@ -16,6 +16,7 @@ import type { Look } from "./palette";
 import type { Eye, Part } from "./part";
 import { ProbeView } from "./probe_view";
 import { RoomView } from "./room_view";
+import { SidesView } from "./sides_view";
 import { Solids } from "./solids";
 import { Veil } from "./veil";
 
@@ -49,7 +50,8 @@ export class Scenery implements Part {
     const room = new RoomView(look);
     const handles = new HandlesView();
     const alternatives = new AlternativesView(look);
-    const labels = new LabelsView(look, [alternatives.numbers, handles.boxes]);
+    const sides = new SidesView(look, [alternatives.numbers, handles.boxes]);
+    const labels = new LabelsView(look, [alternatives.numbers, handles.boxes, sides.labels]);
     const probe = new ProbeView(look);
     const veil = new Veil(look);
     this.#furniture = new FurnitureView(this.#solids);
@@ -63,13 +65,14 @@ export class Scenery implements Part {
       alternatives,
       new GhostView(this.#solids),
       handles,
+      sides,
       labels,
       this.#graph,
       this.#draft,
       veil,
       probe,
     ];
-    this.#lit = [lights, room, alternatives, labels, this.#graph, this.#draft, probe, veil];
+    this.#lit = [lights, room, alternatives, sides, labels, this.#graph, this.#draft, probe, veil];
     for (const part of this.#parts) {
       this.root.add(part.root);
     }
