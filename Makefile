@@ -54,6 +54,7 @@ test: $(INSTALLED_FOR_TESTS) $(PAGE) browser  ## format, lint, types, unit and b
 .PHONY: bench
 bench: $(INSTALLED_FOR_TESTS)  ## measure how fast places are found; results in benchmarks/results
 	PYTHONPATH=. $(BIN)/python benchmarks/placing.py | tee benchmarks/results/placing.md
+	PYTHONPATH=. $(BIN)/python benchmarks/following.py | tee benchmarks/results/following.md
 
 .PHONY: browser
 browser: $(INSTALLED_FOR_TESTS)
