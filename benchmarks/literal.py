@@ -14,7 +14,7 @@ from statsmodels.nonparametric.kernel_density import KDEMultivariate
 from scenegen_core.graph.candidates import Candidates
 from scenegen_core.graph.relations import NEAR_WALL, NEARBY, Column
 from scenegen_core.knowledge import Knowledge
-from scenegen_core.knowledge.choice import MISSING, edges_of
+from scenegen_core.knowledge.choice import HAIR, MISSING, edges_of
 from scenegen_core.knowledge.knowledge import Prior
 from scenegen_core.scene.model import Box, Scene
 from tests.core import by_the_book as book
@@ -70,7 +70,7 @@ def scenegen(knowledge: Knowledge, category: str) -> Score:
         bins = []
         for column, cuts in zip(choice.columns, edges, strict=True):
             value = values[column.relation, column.group, column.part]
-            bins.append(MISSING if np.isnan(value) else sum(value >= cut for cut in cuts))
+            bins.append(MISSING if np.isnan(value) else sum(value >= cut - HAIR for cut in cuts))
         total = sum(float(choice.curves[c, one]) for c, one in enumerate(bins))
         pairs = enumerate(choice.pairs.tolist())
         return total + sum(float(choice.surfaces[k, bins[a], bins[b]]) for k, (a, b) in pairs)
