@@ -20,8 +20,7 @@ from scenegen_core.scene.geometry import Bools, Floats, Ints
 APART = 0.75  # metres between two alternatives
 TRIES = 300  # poses whose ways are checked before giving up
 TIE = 1e-9  # nats; scores this near to each other are equal
-LIKELIEST = 300  # cells that expected distances are all taken over
-THINNED = 300  # of the other cells, so many stand for all
+LIKELIEST = 2000  # cells that expected distances are taken over: all of a room of 20 m²
 LIKELY = 2.0  # nats below the best pose; no less likely may the first offer be
 WORTH_OFFERING = 4.0  # nats below the best pose; what is less likely comes last
 
@@ -108,10 +107,8 @@ class _Expected:
         _, place = np.unique(proposals.places, return_inverse=True)
         mass = np.bincount(place, np.exp(scores - scores.max(initial=0.0)))
         best = best[np.argsort(-mass[place[best]], kind="stable")]
-        step = max(1, -(-(len(best) - LIKELIEST) // THINNED))
-        self._poses = np.concatenate([best[:LIKELIEST], best[LIKELIEST::step]])
+        self._poses = best[:LIKELIEST]
         self._mass = mass[place[self._poses]]
-        self._mass[LIKELIEST:] *= step
         points = proposals.candidates.centers[self._poses, :2]
         self._away = np.hypot(*(points[:, None] - points[None]).transpose(2, 0, 1))
         self._below = scores[best[:1]].max(initial=-np.inf) - scores[self._poses]
