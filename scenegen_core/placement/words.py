@@ -19,6 +19,7 @@ CLOSE_BY = 0.8  # metres between footprint and wall that people call "near"
 BESIDE = 0.35  # metres between two things that people call "next to"
 IN_VIEW = 6.0  # metres as far as something is faced
 NEIGHBOR = 3.0  # metres as far as a distance is worth telling
+DUST = 6  # digits of a metre beyond which gaps differ by rounding only
 ON_TOP = 0.1  # metres between an underside and the top that it stands on
 CENTRAL = 0.2  # of the side of a square as large as the room: so far reaches its middle
 FACING_GROUPS = ("TV", "Table", "Sofa", "Bed", "Picture", "Storage", "Chair")
@@ -137,7 +138,7 @@ def _neighbor(situation: Situation, faced: Box | None) -> Box | None:
     boxes = situation.surroundings.scene.boxes
     told = [
         (gap, index)
-        for index, gap in enumerate(situation.gaps[0].tolist())
+        for index, gap in enumerate(situation.gaps[0].round(DUST).tolist())
         if boxes[index].category not in unasked
         and gap <= NEIGHBOR
         and (boxes[index] is not faced or gap <= 0)
