@@ -8,7 +8,7 @@ import signal
 import socket
 import sys
 from collections.abc import Callable
-from contextlib import AbstractAsyncContextManager, ExitStack, nullcontext
+from contextlib import AbstractAsyncContextManager, ExitStack, nullcontext, suppress
 from dataclasses import fields, replace
 from datetime import UTC, datetime
 from functools import partial
@@ -83,10 +83,9 @@ def run(arguments: argparse.Namespace) -> int:
             beside=serving_guide(guide, port=port) if guide else nullcontext(),
         )
         signal.signal(signal.SIGTERM, _stop)
-        try:
+        with suppress(KeyboardInterrupt):
             server.run(sockets=[listener])
-        except KeyboardInterrupt:
-            print("\nStopped; the rooms are kept.")
+        print("\nStopped; the rooms are kept.")
     return 0
 
 
