@@ -7,7 +7,6 @@ from dataclasses import dataclass
 from math import ceil, pi
 
 import numpy as np
-import shapely
 
 from scenegen_core.graph.candidates import Candidates
 from scenegen_core.graph.surroundings import Surroundings
@@ -29,6 +28,7 @@ from scenegen_core.scene.geometry import (
     directions,
     distances_to_segments,
     left_of,
+    within,
 )
 from scenegen_core.scene.model import Category, Point, Symmetry, Vector3
 
@@ -176,9 +176,7 @@ def floor_points(around: Surroundings) -> Floats:
     """The middles of the floor cells inside the room: (n, 2)."""
     grid = _grid(around, Mount.FLOOR)
     points = grid.middles()
-    room = shapely.Polygon(around.scene.room.corners)
-    shapely.prepare(room)
-    return np.asarray(points[shapely.contains_xy(room, points)], dtype=np.float64)
+    return np.asarray(points[within(points, around.walls)], dtype=np.float64)
 
 
 def _headings(around: Surroundings, category: Category, size: Vector3) -> Floats:

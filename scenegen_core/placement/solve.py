@@ -79,7 +79,6 @@ def solve(
     model = MODELS[query.model](knowledge, query.category)
     around = Surroundings(scene, knowledge.groups)
     space = Space.of(around, query.relaxed)
-    walking = Walking(around, counts="path" not in query.relaxed)
     proposals = propose(around, learnt.category, size)
     keep_going()
     situation = Situation(proposals.candidates, around)
@@ -94,6 +93,7 @@ def solve(
     maps = heat_maps(proposals, scores, bounds)
     if not drawn(maps):
         raise Cancelled
+    walking = Walking(around, counts="path" not in query.relaxed)
     explainer = Explainer(model, around, proposals.candidates[possible]) if len(possible) else None
     rng = np.random.default_rng(query.seed)
     choice = choose(
