@@ -23,11 +23,10 @@ class ChoiceModel:
     def __init__(self, knowledge: Knowledge, category: str, *, pairs: bool = True) -> None:
         choice = knowledge.choice(category)
         self._choice = choice if pairs else choice.without_surfaces
-        subjects = [(column.relation, column.group) for column in self._choice.columns]
+        self._columns = [(column.relation, column.group) for column in self._choice.columns]
         self._subjects: tuple[Subject, ...] = tuple(
-            dict.fromkeys(subject for subject in subjects if subject[0] != SIZE.short)
+            dict.fromkeys(subject for subject in self._columns if subject[0] != SIZE.short)
         )
-        self._belongs = self._shares_of(subjects)
 
     def total(self, situation: Situation) -> Floats:
         """The log of how much likelier each pose is chosen: (n,). Uses all processors."""
@@ -70,14 +69,16 @@ class ChoiceModel:
         """Curves and surfaces summed by subject: (n, subjects)."""
         return np.asarray(terms @ self._belongs, dtype=np.float64)
 
-    def _shares_of(self, subjects: list[Subject]) -> Floats:
+    @cached_property
+    def _belongs(self) -> Floats:
         """What share of each curve and surface belongs to each subject: (terms, subjects)."""
         place = {subject: i for i, subject in enumerate(self._subjects)}
-        terms = [(i, i) for i in range(len(subjects))]
+        terms = [(i, i) for i in range(len(self._columns))]
         terms += [(int(one), int(two)) for one, two in self._choice.pairs]
         shares = np.zeros((len(terms), len(place)))
         for share, term in zip(shares, terms, strict=True):
-            about = [subjects[column] for column in term if subjects[column][0] != SIZE.short]
+            columns = (self._columns[column] for column in term)
+            about = [subject for subject in columns if subject[0] != SIZE.short]
             for subject in about:
                 share[place[subject]] += 1 / len(about)
         return shares

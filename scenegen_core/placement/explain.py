@@ -15,7 +15,6 @@ from scenegen_core.graph.surroundings import Surroundings
 from scenegen_core.placement.answer import Reason
 from scenegen_core.placement.models import PlacementModel
 from scenegen_core.placement.reasons import reason_text
-from scenegen_core.scene.model import Symmetry
 
 REFERENCES = 500  # poses that stand for all possible ones of a room
 ROOMS_NAMED = 3
@@ -48,10 +47,7 @@ class Explainer:
             group.name: [around.scene.boxes[i] for i in np.flatnonzero(around.group_of == index)]
             for index, group in enumerate(around.groups)
         }
-        self._fronted = not any(
-            group.name == possible.category and group.symmetry is Symmetry.SYMMETRIC
-            for group in around.groups
-        )
+        self._fronted = possible.category not in around.frontless
         average = model.parts(Situation(possible[reference(possible)], around))
         self._average = dict(zip(average.subjects, average.values.mean(axis=0), strict=True))
 
