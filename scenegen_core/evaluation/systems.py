@@ -76,6 +76,16 @@ def _choice(*, pairs: bool) -> Score:
     return score
 
 
+def _of_choices(name: str, *, pairs: bool) -> System:
+    return System(
+        name,
+        dict.fromkeys(get_args(Form), _choice(pairs=pairs)),
+        probabilities=True,
+        needs_choices=True,
+        expects=True,
+    )
+
+
 def _position(*relations: str) -> Mapping[Form, Score]:
     return {"position": _paper(relations, ("F", "TC", "RP"), "position")}
 
@@ -84,22 +94,10 @@ def _orientation(*relations: str) -> Mapping[Form, Score]:
     return {"orientation": _paper(("RP",), relations, "orientation")}
 
 
-SCENEGEN = System(
-    "scenegen",
-    dict.fromkeys(get_args(Form), _choice(pairs=True)),
-    probabilities=True,
-    needs_choices=True,
-    expects=True,
-)
+SCENEGEN = _of_choices("scenegen", pairs=True)
 """Our model: one score for position and heading together, whatever is asked."""
 
-CURVES = System(
-    "curves",
-    dict.fromkeys(get_args(Form), _choice(pairs=False)),
-    probabilities=True,
-    needs_choices=True,
-    expects=True,
-)
+CURVES = _of_choices("curves", pairs=False)
 """Our model without surfaces: its curves are learned first, so this is what curves alone can do."""
 
 PAPER = System(
