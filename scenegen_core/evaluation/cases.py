@@ -12,6 +12,7 @@ import numpy as np
 from scenegen_core.errors import DataError
 from scenegen_core.scene.geometry import footprints, gaps
 from scenegen_core.scene.model import OTHER, Box, Scene
+from scenegen_core.scene.resting import taken_out
 
 
 @dataclass(frozen=True, slots=True)
@@ -36,7 +37,7 @@ def cases(scenes: Iterable[Scene], categories: Iterable[str]) -> tuple[Case, ...
     """A case for every box of a category that can be placed."""
     wanted = set(categories) - {OTHER}
     return tuple(
-        Case(scene.without(box.id), box)
+        Case(taken_out(scene, box.id), box)
         for scene in scenes
         for box in scene.boxes
         if box.category in wanted

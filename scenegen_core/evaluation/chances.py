@@ -12,20 +12,24 @@ from scipy.special import logsumexp
 
 from scenegen_core.evaluation.measure import Answer
 from scenegen_core.evaluation.records import Chances
+from scenegen_core.placement.alternatives import probabilities
 from scenegen_core.scene.geometry import Floats
 
 NEAR = 0.5  # metres
 
 
-def chances(found: Answer) -> Chances:
+def chances(found: Answer, *, expects: bool) -> Chances:
     """What the scores of an answer, taken as logarithms of probabilities, say of the truth.
 
-    The true cell is that of the possible pose nearest to the truth, in space.
+    The true cell is that of the possible pose nearest to the truth, in space. Of a system that
+    ``expects``, the probabilities are those that it offers by.
     """
     centers, cells = found.table.candidates.centers, found.table.cells
     possible = found.table.scored
     truth = np.array([found.bench.case.box.center], dtype=float)
     logs = found.scores - logsumexp(found.scores)
+    if expects:
+        logs = np.log(probabilities(found.scores, cells), where=np.isfinite(logs), out=logs)
     offered = centers[found.picks.spread, :2]
     within = _distances(centers[:, :2], offered) <= NEAR
     nearest = possible[_distances(centers[possible], truth).argmin()]

@@ -118,7 +118,7 @@ def ask(
             one = answer(system, task, bench, knowledge, rng)
             found[system.name][task] = errors(one)
             if system.probabilities and task == "joint":
-                said[system.name] = chances(one)
+                said[system.name] = chances(one, expects=system.expects)
     return Record(
         case=case.key,
         room=f"{case.source}:{case.scene.id}",

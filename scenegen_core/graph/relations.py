@@ -15,12 +15,12 @@ import numpy as np
 from scenegen_core.graph.situation import Situation
 from scenegen_core.scene.geometry import TIE, Bools, Floats, ray_lengths, wrapped
 from scenegen_core.scene.model import Category
+from scenegen_core.scene.resting import RESTS
 
 NEAR_WALL = 1.0  # metres; the paper's ϱ, which it gives no number for
 NEARBY = 1.0  # metres; the paper's ε, which it gives no number for
 SAME_DIRECTION = np.pi / 12  # radians (15°); the paper's φ, which it gives no number for
 ABSENT = 1000.0  # metres; AverageDistance to a group that is not in the room (the paper's constant)
-RESTS = 0.05  # metres; an underside this close to an upper side rests on it (bounding boxes err)
 
 Values = Literal["continuous", "ordered"]
 

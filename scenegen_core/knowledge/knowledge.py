@@ -8,20 +8,14 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from scenegen_core.errors import KnowledgeError
-from scenegen_core.graph.relations import (
-    ABSENT,
-    NEAR_WALL,
-    NEARBY,
-    RESTS,
-    SAME_DIRECTION,
-    Column,
-)
+from scenegen_core.graph.relations import ABSENT, NEAR_WALL, NEARBY, SAME_DIRECTION, Column
 from scenegen_core.knowledge.choice import MEASURED_WITH, Choice, Table
 from scenegen_core.knowledge.density import Bandwidths, Density
 from scenegen_core.knowledge.plans import Plan
 from scenegen_core.knowledge.sources import Source
 from scenegen_core.scene.geometry import Bools, Floats
 from scenegen_core.scene.model import Category, Vector3
+from scenegen_core.scene.resting import RESTS
 
 POSITION = ("AD", "S", "RP")  # the paper's relations of position; Support is left out as there
 ORIENTATION = ("F", "TC", "RP")  # the paper's relations of orientation ("Knowledge Model")

@@ -12,6 +12,7 @@ from dataclasses import dataclass
 from typing import Protocol
 
 import numpy as np
+from scipy.special import softmax
 
 from scenegen_core.placement.proposals import Proposals
 from scenegen_core.placement.walking import Walking
@@ -23,6 +24,7 @@ TIE = 1e-9  # nats; scores this near to each other are equal
 LIKELIEST = 2000  # cells that expected distances are taken over: all of a room of 20 m²
 LIKELY = 2.0  # nats below the best pose; no less likely may the first offer be
 WORTH_OFFERING = 4.0  # nats below the best pose; what is less likely comes last
+LAPSE = 0.15  # share of furniture that stands where no pose is tried (docs/model.md)
 
 BLOCKED_ID = "new"
 
@@ -105,13 +107,13 @@ class _Expected:
     def __init__(self, proposals: Proposals, scores: Floats) -> None:
         best = best_of_places(proposals, scores)
         _, place = np.unique(proposals.places, return_inverse=True)
-        mass = np.bincount(place, np.exp(scores - scores.max(initial=0.0)))
+        mass = np.bincount(place, probabilities(scores, proposals.places))
         best = best[np.argsort(-mass[place[best]], kind="stable")]
         self._poses = best[:LIKELIEST]
         self._mass = mass[place[self._poses]]
         points = proposals.candidates.centers[self._poses, :2]
         self._away = np.hypot(*(points[:, None] - points[None]).transpose(2, 0, 1))
-        self._below = scores[best[:1]].max(initial=-np.inf) - scores[self._poses]
+        self._below = scores.max(initial=-np.inf) - scores[self._poses]
         self._left: Bools = np.ones(len(self._poses), dtype=np.bool_)
         self._nearest: Floats = np.full(len(self._poses), np.inf)
 
@@ -132,6 +134,21 @@ class _Expected:
         away = self._away[np.flatnonzero(self._poses == pose)[0]]
         self._nearest = np.minimum(self._nearest, away)
         self._left &= away >= APART
+
+
+def probabilities(scores: Floats, places: Ints) -> Floats:
+    """How likely each pose is chosen, given log-probabilities (−∞ where impossible): (n,), sum 1.
+
+    People put some things where no pose is tried: for those every place is as likely as another.
+    """
+    possible = np.isfinite(scores)
+    if not possible.any():
+        return np.zeros(len(scores))
+    chosen = softmax(scores)
+    _, place, poses = np.unique(places[possible], return_inverse=True, return_counts=True)
+    chosen *= 1 - LAPSE
+    chosen[possible] += LAPSE / len(poses) / poses[place]
+    return np.asarray(chosen, dtype=np.float64)
 
 
 def best_of_places(proposals: Proposals, scores: Floats) -> Ints:

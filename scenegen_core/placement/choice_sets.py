@@ -22,9 +22,11 @@ from scenegen_core.placement.feasible import ALLOWED, Space, verdicts
 from scenegen_core.placement.proposals import Proposals, propose
 from scenegen_core.scene.geometry import Bools, Floats, Ints, wrapped
 from scenegen_core.scene.model import OTHER, Box, Category, Scene, Symmetry
+from scenegen_core.scene.resting import taken_out
 
 SNAP = 0.45  # metres; no further than this may the nearest proposal be from the truth
-SNAP_TURN = np.pi / 8 + 0.01  # radians; half the step between headings
+SNAP_TURN = dict.fromkeys(Symmetry, np.pi / 8 + 0.01) | {Symmetry.SYMMETRIC: np.pi / 4 + 0.01}
+"""Radians; no further than this may its heading be: of what has no front, quarters are tried."""
 TURN_COSTS = 0.25  # metres a radian, where proposals are compared with the truth
 HEIGHT_COSTS = 0.3  # metres a metre of height
 NEAREST = 40  # proposals near the truth that are tried
@@ -62,7 +64,7 @@ def _of_scene(scene: Scene, groups: tuple[Category, ...]) -> Iterator[ChoiceSet]
 def _choice(
     scene: Scene, box: Box, category: Category, groups: tuple[Category, ...]
 ) -> ChoiceSet | None:
-    around = Surroundings(scene.without(box.id), groups)
+    around = Surroundings(taken_out(scene, box.id), groups)
     space = Space.of(around)
     proposals = propose(around, category, box.size)
     chosen = _nearest(proposals, box, category, around, space)
@@ -89,7 +91,7 @@ def _nearest(
     turn = _turns(candidates.headings, box, category)
     higher = np.abs(candidates.centers[:, 2] - box.center[2])
     cost = away + TURN_COSTS * turn + HEIGHT_COSTS * np.minimum(higher, 1)
-    near = np.flatnonzero((away < SNAP) & (turn < SNAP_TURN))
+    near = np.flatnonzero((away < SNAP) & (turn < SNAP_TURN[category.symmetry]))
     near = near[np.argsort(cost[near], kind="stable")[:NEAREST]]
     possible = near[_possible(proposals, near, around, space)]
     return int(possible[0]) if len(possible) else None

@@ -12,7 +12,6 @@ from dataclasses import dataclass
 import numpy as np
 
 from scenegen_core.graph.candidates import Candidates
-from scenegen_core.graph.relations import RESTS
 from scenegen_core.graph.situation import Situation
 from scenegen_core.graph.surroundings import Surroundings
 from scenegen_core.placement.mounts import RUG_HEIGHT, SUPPORTS, Mount, mounts
@@ -30,6 +29,7 @@ from scenegen_core.scene.geometry import (
     wrapped,
 )
 from scenegen_core.scene.model import Opening
+from scenegen_core.scene.resting import RESTS
 
 ALLOWED = -1
 RULES = ("room", "mount", "collision", "door", "window", "path")
@@ -37,7 +37,7 @@ RULES = ("room", "mount", "collision", "door", "window", "path")
 SINK = 0.005  # metres that a footprint may pass into a wall (rounding of outlines)
 PRESS = 0.002  # metres that two things may press into each other (rounding of boxes)
 LAYER = 0.01  # metres of common height below which two things do not meet
-TUCK = 0.35  # metres that a chair's seat goes under a table
+TUCK = 0.45  # metres that a chair goes under a table, all but its back
 SEAT_ROOM = 0.6  # metres; under lower things, as coffee tables, no seat goes
 DOOR_DEPTH = 1.5  # metres; a wider opening has no leaf that swings further
 WINDOW_DEPTH = 0.5  # metres in front of a window that tall things leave free

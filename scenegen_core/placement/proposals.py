@@ -35,6 +35,7 @@ from scenegen_core.scene.model import Category, Point, Symmetry, Vector3
 CELL = 0.1  # metres between positions
 HEADINGS = 16  # of an asymmetric object, a full turn
 WALL_GAP = 0.02  # metres that furniture keeps from the wall it is pushed against (skirting)
+SQUEEZE = 0.01  # metres that a niche may be narrower than what goes in (rounding of outlines)
 OVERHANG = 0.15  # metres that an object may stick out over what it stands on
 
 MOUNT_STEP = 1 << 40  # more cells than a grid has: cells of different mounts stay apart
@@ -165,11 +166,10 @@ def _floor_poses(around: Surroundings, category: Category, size: Vector3) -> Ite
         turns = _headings(around, category, size)
         repeated = np.repeat(points, len(turns), axis=0)
         yield _raised(repeated, size[2] / 2), np.tile(turns, len(points)), False
-    quarter = category.symmetry is Symmetry.SYMMETRIC and size[0] != size[1]
-    for turn, depth, width in ((0.0, size[0], size[1]), (pi / 2, size[1], size[0])):
-        if turn == 0 or quarter:
-            flush, facing = _along_walls(around.walls, depth / 2 + WALL_GAP, width / 2 + WALL_GAP)
-            yield _raised(flush, size[2] / 2), facing + turn, True
+    for turn in _quarters(category, size):
+        depth, width = size[:2] if turn == 0 else (size[1], size[0])
+        flush, facing = _along_walls(around, depth, width, WALL_GAP)
+        yield _raised(flush, size[2] / 2), facing + turn, True
 
 
 def floor_points(around: Surroundings) -> Floats:
@@ -184,28 +184,55 @@ def _headings(around: Surroundings, category: Category, size: Vector3) -> Floats
     if category.symmetry is Symmetry.ASYMMETRIC:
         turns = np.arange(HEADINGS, dtype=np.float64) * (2 * pi / HEADINGS)
     else:
-        turns = np.array([0.0]) if size[0] == size[1] else np.array([0.0, pi / 2])
+        turns = _quarters(category, size)
     return np.asarray(main_direction(around.walls) + turns, dtype=np.float64)
 
 
-def _along_walls(walls: Floats, off: float, margin: float) -> tuple[Floats, Floats]:
-    """Points ``off`` metres inside every wall, a cell apart and flush in the corners."""
+def _quarters(category: Category, size: Vector3) -> Floats:
+    """The quarter turns that make a difference to what has no front, 0 alone to others."""
+    both = category.symmetry is Symmetry.SYMMETRIC and size[0] != size[1]
+    return np.array([0.0, pi / 2] if both else [0.0])
+
+
+def _along_walls(
+    around: Surroundings, depth: float, width: float, gap: float
+) -> tuple[Floats, Floats]:
+    """Middles of footprints ``gap`` off every wall: a cell apart, in corners, beside boxes.
+
+    A niche as wide as the footprint takes it without the gap. Returns (n, 2) and (n,) headings.
+    """
     points, headings = [np.empty((0, 2))], [np.empty(0)]
-    for (start, end), heading in zip(walls, inward(walls), strict=True):
+    off = depth / 2 + gap
+    corners = around.footprints.corners
+    for (start, end), heading in zip(around.walls, inward(around.walls), strict=True):
         length = float(np.hypot(*(end - start)))
-        if length < 2 * margin:
+        margin = min(width / 2 + gap, length / 2)
+        if length < width - SQUEEZE:
             continue
+        run, into = (end - start) / length, directions(np.array([heading]))[0]
         count = max(2, ceil((length - 2 * margin) / CELL) + 1)
-        along = np.linspace(margin, length - margin, count)
-        base = start + (end - start) / length * along[:, None]
-        points.append(base + off * directions(np.array([heading])))
-        headings.append(np.full(count, heading))
+        sides = _beside((corners - start) @ run, (corners - start) @ into, depth + gap, width)
+        sides = sides[(sides > margin - TIE) & (sides < length - margin + TIE)]
+        everywhere = np.concatenate([np.linspace(margin, length - margin, count), sides])
+        along = np.unique(everywhere.round(6))
+        points.append(start + run * along[:, None] + off * into)
+        headings.append(np.full(len(along), heading))
     return np.concatenate(points), np.concatenate(headings)
+
+
+def _beside(along: Floats, away: Floats, depth: float, width: float) -> Floats:
+    """Middles along a wall of what touches the boxes that reach nearer than ``depth`` to it.
+
+    ``along`` the wall and ``away`` from it are the corners of all boxes: (boxes, 4) each.
+    """
+    near = (away.min(axis=1) < depth - TIE) & (away.max(axis=1) > TIE)
+    starts, ends = along[near].min(axis=1), along[near].max(axis=1)
+    return np.concatenate([starts - width / 2, ends + width / 2])
 
 
 def _wall_poses(around: Surroundings, category: Category, size: Vector3) -> Iterator[Poses]:
     """Hanging on every wall, the usual height first."""
-    points, headings = _along_walls(around.walls, size[0] / 2, size[1] / 2)
+    points, headings = _along_walls(around, size[0], size[1], 0.0)
     usual = HANGING_HEIGHT.get(category.name, HANGING_HEIGHT["Picture"])
     steps = np.arange(0, HANGING_RANGE + CELL / 2, CELL)
     for shift in sorted({*steps.round(3), *(-steps).round(3)}, key=abs):
@@ -214,7 +241,8 @@ def _wall_poses(around: Surroundings, category: Category, size: Vector3) -> Iter
 
 def _top_poses(around: Surroundings, category: Category, size: Vector3) -> Iterator[Poses]:
     """On top of each box that carries such things, facing along its axes."""
-    turns = np.arange(4) * (pi / 2) if category.symmetry is Symmetry.ASYMMETRIC else np.zeros(1)
+    asymmetric = category.symmetry is Symmetry.ASYMMETRIC
+    turns = np.arange(4) * (pi / 2) if asymmetric else _quarters(category, size)
     grid = _grid(around, Mount.TOP)
     for index, box in enumerate(around.scene.boxes):
         if box.category not in SUPPORTS.get(category.name, ()) or box.top > REACHABLE_TOP:

@@ -17,6 +17,7 @@ from scenegen_core.placement.elsewhere import length, way
 from scenegen_core.placement.solve import solve
 from scenegen_core.scene.geometry import wrapped
 from scenegen_core.scene.model import Box, Category, Scene, Symmetry, Vector3
+from scenegen_core.scene.resting import taken_out
 
 TURNING = 1 / pi  # metres that a radian is worth: a half turn changes as much as a metre
 DIGITS = 6  # of metres; what differs by less ties
@@ -47,7 +48,7 @@ def what_matters(
             raise Cancelled
         progress(done)
         asked = replace(query, size=answer.size)
-        without = solve(scene.without(box.id), asked, knowledge, cancelled=cancelled).answer
+        without = solve(taken_out(scene, box.id), asked, knowledge, cancelled=cancelled).answer
         best = next(iter(without.poses), None)
         found.append(_compared(box, answer.poses[0], best, category, answer.size))
     if not found:

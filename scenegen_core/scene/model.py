@@ -150,9 +150,9 @@ class Scene:
     def __contains__(self, box_id: object) -> bool:
         return box_id in self._index
 
-    def without(self, box_id: str) -> Scene:
-        """The scene without that box."""
-        return replace(self, boxes=tuple(box for box in self.boxes if box.id != box_id))
+    def without(self, *box_ids: str) -> Scene:
+        """The scene without those boxes."""
+        return replace(self, boxes=tuple(box for box in self.boxes if box.id not in box_ids))
 
     def with_box(self, box: Box) -> Scene:
         """The scene with the box added, or put in the place of the one with the same id."""

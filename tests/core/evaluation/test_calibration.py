@@ -24,7 +24,13 @@ Pose = tuple[float, float, float, int, float]
 """x, y, z, cell, probability; 0 is impossible."""
 
 
-def said(truth: tuple[float, float], bottom: float, poses: list[Pose], *offered: int) -> Chances:
+def said(
+    truth: tuple[float, float],
+    bottom: float,
+    poses: list[Pose],
+    *offered: int,
+    expects: bool = False,
+) -> Chances:
     """What these poses say of a crate of 0.4 m that stood there."""
     box = thing("Storage", *truth, (0.4, 0.4, 0.4), bottom=bottom)
     bench = Bench(Case(room(), box), PAPER_CATEGORIES)
@@ -43,7 +49,7 @@ def said(truth: tuple[float, float], bottom: float, poses: list[Pose], *offered:
     with np.errstate(divide="ignore"):
         scores = np.log(shares) + 70.0  # a constant of the room says nothing
     picks = Picks(offered[0], np.array(offered), np.array(offered), offered=True)
-    return chances(Answer("joint", bench, table, scores, picks))
+    return chances(Answer("joint", bench, table, scores, picks), expects=expects)
 
 
 def test_a_place_is_called_with_all_poses_within_half_a_metre() -> None:
@@ -76,6 +82,19 @@ def test_scores_far_below_the_smallest_number_keep_their_logarithm() -> None:
     found = said((1, 1), 0.0, [(3, 1, 0.2, 0, 1.0), (1, 1, 0.2, 1, 1e-300)], 0)
     assert found.log_score == pytest.approx(log(1e-300))
     assert found.holds == (False,)
+
+
+def test_a_system_that_expects_leaves_room_for_what_no_pose_comes_near() -> None:
+    """15 % are spread over the two places: 0.85 · 0.8 + 0.075, half of that for each pose."""
+    poses: list[Pose] = [
+        (1, 1, 0.2, 0, 0.4),
+        (1, 1, 0.2, 0, 0.4),
+        (3, 1, 0.2, 1, 0.2),
+        (1, 1, 0.2, 2, 0.0),
+    ]
+    found = said((3, 1), 0.0, poses, 0, 2, expects=True)
+    assert found.called == pytest.approx((0.85 * 0.8 + 0.075, 0.85 * 0.2 + 0.075))
+    assert found.log_score == pytest.approx(log(0.245))
 
 
 def asked(number: int, room_id: str, *said: tuple[float, bool], category: str = "Bed") -> Record:

@@ -15,7 +15,7 @@ from shapely.geometry.base import BaseGeometry
 from scenegen_core.scene.model import Box, Opening, Scene
 
 ERROR = 0.006  # metres that rounding may take
-UNDER_TABLE = 0.35
+UNDER_TABLE = 0.45
 WIDE, SLIM = 0.35, 0.2  # half widths of walkers
 
 

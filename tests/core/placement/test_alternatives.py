@@ -9,7 +9,7 @@ import pytest
 
 from scenegen_core.graph.candidates import Candidates
 from scenegen_core.graph.surroundings import Surroundings
-from scenegen_core.placement.alternatives import best_of_places, choose
+from scenegen_core.placement.alternatives import best_of_places, choose, probabilities
 from scenegen_core.placement.mounts import Mount
 from scenegen_core.placement.proposals import Grid, Proposals
 from scenegen_core.placement.walking import Walking
@@ -79,6 +79,13 @@ def test_the_first_offer_is_where_the_truth_is_least_far_on_average(
 ) -> None:
     """``metres``: mass times distance, summed over the cells, from each."""
     assert offered(row(FIVE), logs(*masses), 1) == [FIVE[metres.index(min(metres))]]
+
+
+def test_a_share_is_left_for_what_no_pose_comes_near() -> None:
+    """Two poses of one cell, one of another, none of a third: 0.85 of theirs, and 0.15 / 2 each."""
+    found = probabilities(np.append(logs(2, 1, 1), -np.inf) + 30.0, np.array([7, 7, 9, 4]))
+    assert found == pytest.approx([0.4625, 0.25, 0.2875, 0.0])
+    assert probabilities(np.full(2, -np.inf), np.array([0, 1])).tolist() == [0, 0]
 
 
 def test_the_second_offer_serves_what_the_first_leaves_far_away() -> None:

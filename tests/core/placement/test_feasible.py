@@ -164,14 +164,14 @@ CASES: dict[str, tuple[Scene, Box, str]] = {
         "collision",
     ),
     # the table's edge is at x = 3; the chair is 0.5 deep
-    "a chair 34 cm under a table": (room(TABLE), thing("Chair", 2.91, 2, CHAIR, heading=WEST), ""),
-    "a chair 36 cm under a table": (
+    "a chair 44 cm under a table": (room(TABLE), thing("Chair", 2.81, 2, CHAIR, heading=WEST), ""),
+    "a chair 46 cm under a table": (
         room(TABLE),
-        thing("Chair", 2.89, 2, CHAIR, heading=WEST),
+        thing("Chair", 2.79, 2, CHAIR, heading=WEST),
         "collision",
     ),
-    "a table 34 cm over a chair": (
-        room(thing("Chair", 2.91, 2, CHAIR, heading=WEST)),
+    "a table 44 cm over a chair": (
+        room(thing("Chair", 2.81, 2, CHAIR, heading=WEST)),
         replace(TABLE),
         "",
     ),

@@ -99,6 +99,36 @@ def test_every_wall_of_an_l_is_tried_with_the_back_to_it() -> None:
         assert (np.isclose(across, where) & facing).any(), side
 
 
+def test_what_stands_at_a_wall_is_touched_on_both_sides() -> None:
+    """The chests take x = 0.7 … 1.5 and 2.13 … 2.93: between them 0.63 m are free."""
+    chests = [
+        thing("Storage", x, 0.3, (0.6, 0.8, 0.9), heading=NORTH, box_id=f"{x}") for x in (1.1, 2.53)
+    ]
+    found = proposals(room(*chests), "Storage", (0.5, 0.6, 0.8))
+    for x in (0.7 - 0.3, 1.5 + 0.3, 2.13 - 0.3, 2.93 + 0.3):
+        assert has(found, x, 0.25 + GAP, NORTH, 0.4), x
+
+
+def test_what_is_away_from_the_wall_or_at_another_is_not_touched() -> None:
+    table = thing("Table", 2.5, 2.0, (1.0, 1.63, 0.75))
+    alone, beside = (proposals(scene, "Sofa", (0.9, 2.0, 0.8)) for scene in (room(), room(table)))
+    assert are_the_same(poses(alone), poses(beside))
+
+
+def test_a_niche_takes_what_is_as_wide_without_a_gap() -> None:
+    niche = ((0, 0), (5, 0), (5, 4), (3, 4), (3, 5), (1.6, 5), (1.6, 4), (0, 4))
+    found = proposals(room(corners=niche), "Bed", (2.0, 1.4, 0.5))
+    assert has(found, 2.3, 5 - 1.0 - GAP, SOUTH, 0.25)
+    assert not has(proposals(room(corners=niche), "Bed", (2.0, 1.42, 0.5)), 2.3, 3.98, SOUTH, 0.25)
+
+
+def test_a_long_plant_box_is_tried_both_ways_on_a_table() -> None:
+    found = proposals(room(TABLE), "Decor", (0.2, 0.5, 0.2))
+    on_top = found.candidates.headings[found.candidates.centers[:, 2] > 0.5]
+    turns = {round(float(heading) - TABLE.heading, 6) for heading in on_top}
+    assert turns == {0.0, round(pi / 2, 6)}
+
+
 def test_a_wall_shorter_than_the_object_is_not_tried() -> None:
     found = proposals(room(), "Sofa", (0.9, 4.5, 0.8))
     flush = found.candidates.centers[found.flush]

@@ -32,8 +32,8 @@ const DOOR_DEPTH = 1.5;
 const WINDOW_DEPTH = 0.5;
 /** Sills are measured no more exactly than this, metres; LAYER of scenegen_core. */
 const SILL = 0.01;
-/** A chair's seat goes this far under a table, metres; TUCK of scenegen_core. */
-const TUCK = 0.35;
+/** A chair goes this far under a table, all but its back, metres; TUCK of scenegen_core. */
+const TUCK = 0.45;
 /** Under lower things, as coffee tables, no seat goes, metres; SEAT_ROOM. */
 const SEAT_ROOM = 0.6;
 
