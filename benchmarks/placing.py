@@ -13,7 +13,6 @@ import argparse
 import json
 import os
 from collections.abc import Callable, Iterator
-from contextlib import suppress
 from dataclasses import dataclass, replace
 from pathlib import Path
 from time import perf_counter
@@ -29,11 +28,11 @@ from scenegen_core.graph.situation import Situation
 from scenegen_core.graph.surroundings import Surroundings
 from scenegen_core.knowledge import Knowledge, default_knowledge
 from scenegen_core.knowledge.density import Density
-from scenegen_core.placement.answer import Cancelled, Model, Query
+from scenegen_core.placement.answer import Model, Query
 from scenegen_core.placement.feasible import ALLOWED, Space, verdicts
 from scenegen_core.placement.models import MODELS
 from scenegen_core.placement.proposals import propose
-from scenegen_core.placement.solve import solve
+from scenegen_core.placement.solve import draw, solve
 from scenegen_core.scene.model import Scene
 
 RESULTS = Path(__file__).parent / "results"
@@ -76,12 +75,6 @@ def timed(work: Step, runs: int) -> Timed:
 def reference() -> float:
     """Work that never changes: sines of 100,000 numbers on one core."""
     return float(np.sin(np.arange(100_000.0)).sum())
-
-
-def draw(scene: Scene, query: Query, knowledge: Knowledge) -> None:
-    """Everything up to the heat maps."""
-    with suppress(Cancelled):
-        solve(scene, query, knowledge, drawn=lambda _: False)
 
 
 def few(category: str, model: Model, knowledge: Knowledge) -> tuple[Step, Candidates]:

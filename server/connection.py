@@ -17,6 +17,7 @@ from server.effects import (
     Examine,
     FindRemedy,
     Furnish,
+    Offer,
     Push,
     Save,
     Send,
@@ -28,14 +29,14 @@ from server.effects import (
 )
 from server.engine import Cancel, Engine
 from server.incoming import Incoming
-from server.outbox import Frame, Outbox, Unit
+from server.outbox import Frame, Outbox
 from server.protocol import AssetHeader, Hello, Problem, ServerMessage
 from server.results import Step as ResultStep
-from server.results import examined, furnished, graphed, remedied, solved, weighed
+from server.results import drawn, examined, furnished, graphed, remedied, solved, weighed
 from server.session import Session, Step, greet, handle
 from server.store import Store, Stored
 from server.wire import Binary, Close, encode, frame
-from server.work import draw_graph, examine, make_models, seek_remedy, solve_ask, weigh
+from server.work import draw_graph, draw_maps, examine, make_models, make_offer, seek_remedy, weigh
 from server.world import World
 
 T = TypeVar("T")
@@ -94,16 +95,15 @@ class Connection:
     def _begin(self, deed: Deed) -> None:
         match deed:
             case Send():
-                self._outbox.put(deed.message)
+                self._outbox.put(*deed.frames, deed.message)
             case Push():
                 glb = self._world.assets.get(deed.digest)
                 if glb is not None:
                     self._outbox.put(Binary(AssetHeader(digest=deed.digest), glb))
             case StopSolving():
-                self._engine.abandon(self._session.id, "solve")
-                self._engine.abandon(self._session.id, "remedy")
+                self._abandon("maps", "offer", "remedy")
             case StopWeighing():
-                self._engine.abandon(self._session.id, "weigh")
+                self._abandon("weigh")
             case _:
                 self._work(deed)
 
@@ -113,8 +113,10 @@ class Connection:
             case Furnish():
                 self._submit("furnish", partial(make_models, world, wish), furnished)
             case Solve():
-                self._engine.abandon(self._session.id, "remedy")
-                self._submit("solve", partial(solve_ask, world, wish, self._tell_unit), solved)
+                self._abandon("offer", "remedy")
+                self._submit("maps", partial(draw_maps, world, wish), drawn)
+            case Offer():
+                self._submit("offer", partial(make_offer, world, wish), solved)
             case FindRemedy():
                 self._submit("remedy", partial(seek_remedy, world, wish), remedied)
             case Examine():
@@ -143,13 +145,13 @@ class Connection:
             failed=self._failed,
         )
 
+    def _abandon(self, *kinds: str) -> None:
+        for kind in kinds:
+            self._engine.abandon(self._session.id, kind)
+
     def _tell(self, message: ServerMessage) -> None:
         """Send a message from another thread."""
-        self._tell_unit((message,))
-
-    def _tell_unit(self, unit: Unit) -> None:
-        """Send frames that travel together from another thread."""
-        self._loop.call_soon_threadsafe(self._outbox.put, *unit)
+        self._loop.call_soon_threadsafe(self._outbox.put, message)
 
     def _failed(self, error: Exception) -> None:
         if isinstance(error, SceneGenError):

@@ -4,10 +4,11 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from scenegen_core.placement.solve import Solution
+from scenegen_core.placement.solve import Drawing, Solution
 from scenegen_core.scene.model import Scene
 from server.looks import Look
 from server.protocol import Answer, Inspect, Query, ServerMessage
+from server.wire import Binary
 
 
 @dataclass(frozen=True, slots=True)
@@ -21,9 +22,10 @@ class Save:
 
 @dataclass(frozen=True, slots=True)
 class Send:
-    """Send a message."""
+    """Send a message, and ahead of it the frames that belong to it."""
 
     message: ServerMessage
+    frames: tuple[Binary, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)
@@ -43,12 +45,22 @@ class Furnish:
 
 @dataclass(frozen=True, slots=True)
 class Solve:
-    """Answer an ask."""
+    """Answer an ask, its heat maps first."""
 
     ask: str
     query: Query
     revision: int
     scene: Scene
+
+
+@dataclass(frozen=True, slots=True)
+class Offer:
+    """Choose places from the heat maps of an ask, and say why."""
+
+    wish: Solve
+    drawing: Drawing
+    elapsed: float
+    """Seconds that the maps took."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -100,7 +112,7 @@ class DrawGraph:
     scene: Scene
 
 
-Work = Furnish | Solve | FindRemedy | Examine | Weigh | DrawGraph
+Work = Furnish | Solve | Offer | FindRemedy | Examine | Weigh | DrawGraph
 """What takes long: a result comes of it."""
 Deed = Send | Push | StopSolving | StopWeighing | Work
 """What is begun at once and waits for nothing."""

@@ -17,7 +17,9 @@ T = TypeVar("T")
 Then = Callable[[], None]
 """What is to be done on the event loop when the work is over."""
 
-WORKERS = 2  # threads; one long answer must not keep everybody else waiting
+WORKERS = 3  # threads: one for urgent work; one long answer must not keep all others waiting
+URGENT = ("maps", "examine")
+"""Kinds of work that go first whoever waits for the rest: what follows a finger."""
 PATIENCE = 0.5  # seconds that work may run on when newer work waits: a drag must see maps
 
 
@@ -36,7 +38,7 @@ class Job:
 
 @dataclass(frozen=True, slots=True)
 class Cancel:
-    """Says whether work should stop; long work asks it now and then."""
+    """Says whether work should stop: long work asks it now and then."""
 
     dropped: Event
     superseded: Event
@@ -48,13 +50,11 @@ class Cancel:
         too_long = monotonic() - self.begun > self.patience
         return self.dropped.is_set() or (self.superseded.is_set() and too_long)
 
-    def at_once(self) -> bool:
-        """Does nobody wait for it, or is there newer work?"""
-        return self.dropped.is_set() or self.superseded.is_set()
-
 
 class Engine:
     """Runs jobs on a few threads; of one session and kind only the newest counts.
+
+    Urgent kinds go first, and one thread does nothing else, if there are several.
 
     A newer job replaces the one that waits. The one that runs is abandoned if it takes longer than
     ``patience``; otherwise its result still counts, so that a stream of edits sees results on its
@@ -64,7 +64,7 @@ class Engine:
     def __init__(self, workers: int = WORKERS, *, patience: float = PATIENCE) -> None:
         self._patience = patience
         self._pool = ThreadPoolExecutor(workers, thread_name_prefix="engine")
-        self._free = workers
+        self._workers = self._free = workers
         self._waiting: dict[str, dict[str, Job]] = {}  # by session in turn, then by kind
         self._running: dict[tuple[str, str], Job] = {}
         self._busy: set[tuple[str, str]] = set()  # running, or told to stop and still at it
@@ -123,17 +123,20 @@ class Engine:
             task.add_done_callback(self._tasks.discard)
 
     def _next(self) -> Job | None:
-        """The oldest job of the session whose turn it is; then it is the others' turn.
+        """The next job of the session whose turn it is, urgent ones first; then others' turn.
 
         Work that was told to stop and has not yet keeps newer work of its kind waiting: one
         session in a hurry cannot take all threads.
         """
-        for session, jobs in self._waiting.items():
-            for kind in jobs:
-                if (session, kind) not in self._busy:
-                    del self._waiting[session]
-                    self._waiting[session] = jobs
-                    return jobs.pop(kind)
+        slow = sum(kind not in URGENT for _, kind in self._busy)
+        may_be_slow = slow < max(self._workers - 1, 1)
+        for urgent in (True, False) if may_be_slow else (True,):
+            for session, jobs in self._waiting.items():
+                for kind in jobs:
+                    if (kind in URGENT) == urgent and (session, kind) not in self._busy:
+                        del self._waiting[session]
+                        self._waiting[session] = jobs
+                        return jobs.pop(kind)
         return None
 
     async def _finish(self, job: Job) -> None:

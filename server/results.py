@@ -6,10 +6,11 @@ from collections.abc import Iterable
 from dataclasses import dataclass, replace
 
 from scenegen_core.placement.solve import Solution
-from server.effects import Deed, FindRemedy, Push, Send
+from server.effects import Deed, FindRemedy, Offer, Push, Send
 from server.looks import Look
-from server.protocol import Answer, Graph, Inspected, Matters, Models
+from server.protocol import Answer, Graph, Inspected, Maps, Matters, Models
 from server.session import Session, examine, wanted_looks, weigh
+from server.wire import Binary
 
 Step = tuple[Session, tuple[Deed, ...]]
 """Like a session's step; but what comes of a result never has to be stored."""
@@ -21,6 +22,14 @@ class Furnished:
 
     revision: int
     models: dict[str, tuple[Look, str]]
+
+
+@dataclass(frozen=True, slots=True)
+class Drawn:
+    """Heat maps as they travel, and what is to be done next."""
+
+    frames: tuple[Binary, ...]
+    offer: Offer
 
 
 @dataclass(frozen=True, slots=True)
@@ -50,19 +59,26 @@ def furnished(session: Session, result: Furnished) -> Step:
     return session, (*pushes, Send(Models(revision=result.revision, boxes=digests)))
 
 
-def solved(session: Session, result: Solved) -> Step:
-    """An answer is ready; dropped if it is not for the ask.
+def drawn(session: Session, result: Drawn) -> Step:
+    """Heat maps are ready; dropped if they are not for the ask.
 
-    One of an older revision is sent too: while a box is dragged it is the newest there is. Poses
-    are examined in the scene as it is only.
+    Those of an older revision are sent too: while a box is dragged they are the newest there are.
+    Offers are for the scene as it is only.
     """
+    wish = result.offer.wish
+    if session.ask is None or wish.ask != session.ask.id:
+        return session, ()
+    maps = Send(Maps(ask=wish.ask, revision=wish.revision), result.frames)
+    return session, (maps, result.offer) if wish.revision == session.revision else (maps,)
+
+
+def solved(session: Session, result: Solved) -> Step:
+    """An answer is ready; dropped if it is stale."""
     ask, answer = session.ask, result.answer
-    if ask is None or answer.ask != ask.id:
+    if ask is None or answer.ask != ask.id or answer.revision != session.revision:
         return session, ()
     session, pushes = _push(session, (answer.asset,))
     sent = (*pushes, Send(answer))
-    if answer.revision != session.revision:
-        return session, sent
     waiting = replace(session, solution=result.solution)
     seek = _seek(waiting, answer)
     return replace(waiting, inspect=None), (*sent, *examine(waiting), *weigh(waiting), *seek)

@@ -6,16 +6,15 @@ from collections.abc import Callable
 from time import perf_counter
 
 from scenegen_core.graph.scene_graph import scene_graph
-from scenegen_core.placement.answer import Cancelled, HeatMap
+from scenegen_core.placement.answer import Cancelled
 from scenegen_core.placement.remedies import find_remedy
-from scenegen_core.placement.solve import solve
+from scenegen_core.placement.solve import draw
 from scenegen_core.placement.what_if import what_matters
-from server.effects import DrawGraph, Examine, FindRemedy, Furnish, Solve, Weigh
+from server.effects import DrawGraph, Examine, FindRemedy, Furnish, Offer, Solve, Weigh
 from server.engine import Cancel
 from server.looks import look
-from server.outbox import Unit
-from server.protocol import Graph, Inspected, Maps, Matters, Weighing
-from server.results import Furnished, Remedied, Solved
+from server.protocol import Graph, Inspected, Matters, Weighing
+from server.results import Drawn, Furnished, Remedied, Solved
 from server.translate import (
     answer_message,
     graph_message,
@@ -28,21 +27,19 @@ from server.translate import (
 from server.world import World
 
 
-def solve_ask(world: World, wish: Solve, tell: Callable[[Unit], None], cancelled: Cancel) -> Solved:
-    """Placements, heat maps and the model of the object.
-
-    ``tell`` sends the heat maps ahead of all else. Then work goes on only if nothing newer waits:
-    while a box is dragged maps follow it, and the offers come when it rests.
-    """
-
-    def drawn(maps: tuple[HeatMap, ...]) -> bool:
-        frames = (heat_map_frame(one, ask=wish.ask, revision=wish.revision) for one in maps)
-        tell((*frames, Maps(ask=wish.ask, revision=wish.revision)))
-        return not cancelled.at_once()
-
+def draw_maps(world: World, wish: Solve, cancelled: Cancel) -> Drawn:
+    """Heat maps, and what offers are chosen from."""
     begin = perf_counter()
     query = query_of(wish.query, world.catalogue)
-    solution = solve(wish.scene, query, world.knowledge, cancelled=cancelled, drawn=drawn)
+    drawing = draw(wish.scene, query, world.knowledge, cancelled=cancelled)
+    frames = (heat_map_frame(one, ask=wish.ask, revision=wish.revision) for one in drawing.maps)
+    return Drawn(tuple(frames), Offer(wish, drawing, perf_counter() - begin))
+
+
+def make_offer(world: World, offer: Offer, cancelled: Cancel) -> Solved:
+    """Placements with reasons, and the model of the object."""
+    begin, wish = perf_counter(), offer.wish
+    solution = offer.drawing.solution(cancelled=cancelled)
     found = solution.answer
     asset = world.assets.digest(look(found.category, found.size, item=wish.query.item))
     answer = answer_message(
@@ -50,7 +47,7 @@ def solve_ask(world: World, wish: Solve, tell: Callable[[Unit], None], cancelled
         ask=wish.ask,
         revision=wish.revision,
         asset=asset,
-        elapsed=perf_counter() - begin,
+        elapsed=offer.elapsed + perf_counter() - begin,
     )
     return Solved(solution, answer)
 

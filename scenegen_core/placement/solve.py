@@ -54,75 +54,113 @@ class Solution:
         return self._inspector.inspect(Candidates(self.answer.category, self.answer.size, *pose))
 
 
+@dataclass(frozen=True, eq=False)
+class Drawing:
+    """The heat maps of a query in a scene, and all that offers are chosen from."""
+
+    maps: tuple[HeatMap, ...]
+    _query: Query
+    _learnt: CategoryKnowledge
+    _model: PlacementModel
+    _space: Space
+    _proposals: Proposals
+    _verdict: Ints
+    """The rule that forbids each proposal, or ALLOWED: (n,)."""
+    _scores: Floats
+    """Of all proposals, −∞ where forbidden: (n,)."""
+    _bounds: tuple[float, float]
+
+    def solution(self, *, cancelled: Callable[[], bool] = lambda: False) -> Solution:
+        """Offers with their reasons. Raises Cancelled as ``solve`` does."""
+        around, proposals, scores = self._space.around, self._proposals, self._scores
+        possible = np.flatnonzero(self._verdict == ALLOWED)
+        candidates = proposals.candidates[possible]
+        walking = Walking(around, counts="path" not in self._query.relaxed)
+        explainer = Explainer(self._model, around, candidates) if len(possible) else None
+        choice = choose(
+            proposals,
+            scores,
+            walking,
+            count=self._query.count,
+            rng=np.random.default_rng(self._query.seed),
+            keep_going=partial(_keep_going, cancelled),
+            expects=self._model.expects,
+        )
+        answer = Answer(
+            category=self._query.category,
+            size=candidates.size,
+            poses=_poses(proposals, choice, scores, self._bounds, around, explainer, self._learnt),
+            heat_maps=self.maps,
+            no_good_place=_no_good_place(self._verdict, choice, self._query, candidates.size),
+        )
+        inspector = Inspector(
+            category=self._learnt.category,
+            space=self._space,
+            walking=walking,
+            possible=candidates,
+            scores=scores[possible],
+            bounds=self._bounds,
+            explainer=explainer,
+            best=next(iter(answer.poses), None),
+        )
+        return Solution(answer, inspector)
+
+
 def solve(
     scene: Scene,
     query: Query,
     knowledge: Knowledge,
     *,
     cancelled: Callable[[], bool] = lambda: False,
-    drawn: Callable[[tuple[HeatMap, ...]], bool] = lambda _: True,
 ) -> Solution:
     """Where the object would go in the scene.
 
-    ``drawn`` is given the heat maps as soon as there are any, long before the offers and reasons,
-    and says whether anybody waits for those.
     Raises KnowledgeError if there is too little knowledge of the category, SceneError if the size
     is none, Cancelled as soon as ``cancelled`` says that nobody waits any more.
     """
+    return draw(scene, query, knowledge, cancelled=cancelled).solution(cancelled=cancelled)
 
-    def keep_going() -> None:
-        if cancelled():
-            raise Cancelled
 
+def draw(
+    scene: Scene,
+    query: Query,
+    knowledge: Knowledge,
+    *,
+    cancelled: Callable[[], bool] = lambda: False,
+) -> Drawing:
+    """The heat maps, long before the offers and reasons. Raises what ``solve`` does."""
     learnt = knowledge[query.category]
     size = _size(query, learnt)
     model = MODELS[query.model](knowledge, query.category)
     around = Surroundings(scene, knowledge.groups)
     space = Space.of(around, query.relaxed)
     proposals = propose(around, learnt.category, size)
-    keep_going()
+    _keep_going(cancelled)
     situation = Situation(proposals.candidates, around)
     verdict = in_blocks(partial(verdicts, space=space), situation)
-    keep_going()
+    _keep_going(cancelled)
     possible = np.flatnonzero(verdict == ALLOWED)
     scores = _scores(model, proposals, possible, around)
-    keep_going()
+    _keep_going(cancelled)
     if len(possible):
         scores -= scores[possible[reference(possible)]].mean()
     bounds = scale(scores[possible])
-    maps = heat_maps(proposals, scores, bounds)
-    if not drawn(maps):
+    return Drawing(
+        maps=heat_maps(proposals, scores, bounds),
+        _query=query,
+        _learnt=learnt,
+        _model=model,
+        _space=space,
+        _proposals=proposals,
+        _verdict=verdict,
+        _scores=scores,
+        _bounds=bounds,
+    )
+
+
+def _keep_going(cancelled: Callable[[], bool]) -> None:
+    if cancelled():
         raise Cancelled
-    walking = Walking(around, counts="path" not in query.relaxed)
-    explainer = Explainer(model, around, proposals.candidates[possible]) if len(possible) else None
-    rng = np.random.default_rng(query.seed)
-    choice = choose(
-        proposals,
-        scores,
-        walking,
-        count=query.count,
-        rng=rng,
-        keep_going=keep_going,
-        expects=model.expects,
-    )
-    answer = Answer(
-        category=query.category,
-        size=size,
-        poses=_poses(proposals, choice, scores, bounds, around, explainer, learnt),
-        heat_maps=maps,
-        no_good_place=_no_good_place(verdict, choice, query, size),
-    )
-    inspector = Inspector(
-        category=learnt.category,
-        space=space,
-        walking=walking,
-        possible=proposals.candidates[possible],
-        scores=scores[possible],
-        bounds=bounds,
-        explainer=explainer,
-        best=next(iter(answer.poses), None),
-    )
-    return Solution(answer, inspector)
 
 
 def _size(query: Query, learnt: CategoryKnowledge) -> Vector3:

@@ -163,13 +163,42 @@ def test_a_session_in_a_hurry_leaves_a_thread_to_the_others() -> None:
 
     async def story(desk: Desk) -> None:
         deaf = Gate("older")
-        desk.submit("a", "solve", lambda _: deaf.work(NEVER))
+        desk.submit("a", "maps", lambda _: deaf.work(NEVER))
         await deaf.has_begun()
-        desk.submit("a", "solve", returning("newer"))
-        desk.submit("b", "solve", returning("other session"))
+        desk.submit("a", "maps", returning("newer"))
+        desk.submit("b", "maps", returning("other session"))
         assert await desk.until(1) == ["other session"]
         deaf.open.set()
         assert await desk.until(3) == ["other session", "older", "newer"]
+
+    at_a_desk(story, workers=2)
+
+
+def test_maps_go_before_the_offers_of_all_sessions() -> None:
+    async def story(desk: Desk) -> None:
+        busy = Gate("busy")
+        desk.submit("a", "offer", busy.work)
+        for session in ("a", "b"):
+            for kind in ("graph", "maps"):
+                desk.submit(session, kind, returning(f"{session} {kind}"))
+        busy.open.set()
+        assert await desk.until(5) == ["busy", "a maps", "b maps", "a graph", "b graph"]
+
+    at_a_desk(story)
+
+
+def test_however_much_slow_work_there_is_a_thread_is_left_for_maps() -> None:
+    async def story(desk: Desk) -> None:
+        slow = [Gate("first"), Gate("second")]
+        for session, gate in zip("ab", slow, strict=True):
+            desk.submit(session, "offer", gate.work)
+        await slow[0].has_begun()
+        desk.submit("c", "maps", returning("maps"))
+        assert await desk.until(1) == ["maps"]
+        assert not slow[1].begun.is_set()
+        for gate in slow:
+            gate.open.set()
+        assert await desk.until(3) == ["maps", "first", "second"]
 
     at_a_desk(story, workers=2)
 

@@ -9,7 +9,7 @@ import pytest
 
 from scenegen_core.placement.answer import Query as CoreQuery
 from scenegen_core.placement.answer import Remedy as CoreRemedy
-from scenegen_core.placement.solve import solve
+from scenegen_core.placement.solve import draw, solve
 from scenegen_core.scene.files import BoxRecord, RoomRecord, SceneRecord, scene_of
 from server.edits import Vocabulary
 from server.effects import (
@@ -18,6 +18,7 @@ from server.effects import (
     Examine,
     FindRemedy,
     Furnish,
+    Offer,
     Push,
     Save,
     Send,
@@ -36,6 +37,7 @@ from server.protocol import (
     Hello,
     Inspect,
     Inspected,
+    Maps,
     Matters,
     Models,
     NoGoodPlace,
@@ -53,9 +55,11 @@ from server.protocol import (
     WhatMatters,
 )
 from server.results import (
+    Drawn,
     Furnished,
     Remedied,
     Solved,
+    drawn,
     examined,
     furnished,
     graphed,
@@ -64,7 +68,7 @@ from server.results import (
     weighed,
 )
 from server.session import Session, greet, handle
-from server.translate import with_remedy
+from server.translate import heat_map_frame, with_remedy
 from server.world import World
 from tests.server.driving import ROOM, SCENE, TABLE
 
@@ -303,15 +307,36 @@ def test_an_answer_comes_behind_the_model_of_its_object(result: Solved) -> None:
     assert session.assets == {DIGEST}
 
 
-def test_while_a_box_is_dragged_an_answer_on_the_way_is_sent_but_nothing_examined_in_it(
-    result: Solved,
-) -> None:
+def maps_of(revision: int, world: World) -> Drawn:
+    """The maps of SOFA in a revision of the drawn room."""
+    drawing = draw(scene_of(SCENE), CoreQuery("Sofa"), world.knowledge)
+    wish = Solve("a", Query(category="Sofa"), revision, scene_of(SCENE))
+    frame = heat_map_frame(drawing.maps[0], ask="a", revision=revision)
+    return Drawn((frame,), Offer(wish, drawing, 0.1))
+
+
+def test_maps_are_sent_and_then_offers_are_made(world: World) -> None:
+    session, _ = after(DRAWN, SOFA)
+    maps = maps_of(session.revision, world)
+    sent_maps = Send(Maps(ask="a", revision=session.revision), maps.frames)
+    assert drawn(session, maps) == (session, (sent_maps, maps.offer))
+
+
+def test_while_a_box_is_dragged_maps_on_the_way_are_sent_but_no_offers(world: World) -> None:
+    session, _ = after(DRAWN, SOFA, PutBox(seq=1, box=TABLE))
+    maps = maps_of(session.revision - 1, world)
+    sent_maps = Send(Maps(ask="a", revision=session.revision - 1), maps.frames)
+    assert drawn(session, maps) == (session, (sent_maps,))
+    for other in (Ask(id="b", query=Query(category="Sofa")), Ask(id="b", query=None)):
+        elsewhere, _ = after(session, other)
+        assert drawn(elsewhere, maps) == (elsewhere, ())
+
+
+def test_an_answer_to_an_older_revision_is_dropped(result: Solved) -> None:
     pose = Inspect(id="i", center=(1.0, 1.0, 0.4), heading=0.0)
     session, _ = after(DRAWN, SOFA, PutBox(seq=1, box=TABLE), pose)
-    session, deeds = solved(session, result)
-    assert deeds[-1] == Send(result.answer)
+    assert solved(session, result) == (session, ())
     assert session.inspect == pose
-    assert session.solution is None
 
 
 def test_an_answer_to_an_older_ask_is_dropped(result: Solved) -> None:
