@@ -16,7 +16,7 @@ from starlette.routing import Mount, Route, WebSocketRoute
 from scenegen_core.errors import SceneGenError
 from scenegen_core.knowledge.marginals import marginals
 from server.engine import Engine
-from server.exports import NO_MODEL, Exports
+from server.exports import Exports, model_of
 from server.joining import Join, Joining
 from server.live import Live
 from server.page import ALWAYS_ASK, FOREVER, BuiltPage
@@ -34,7 +34,7 @@ def make_app(settings: Settings, world: World, join: Join | None = None) -> Star
         SceneGenError: Its store cannot be opened.
     """
     store, engine = Store(settings.store), Engine()
-    live, exports, files = Live(world, store, engine), Exports(world, store), Files(world)
+    live, exports, files = Live(world, store, engine), Exports(world, store), Files(world, store)
     joining = Joining(join)
 
     @asynccontextmanager
@@ -70,8 +70,9 @@ def make_app(settings: Settings, world: World, join: Join | None = None) -> Star
 class Files:
     """Endpoints that hand out what the server has loaded."""
 
-    def __init__(self, world: World) -> None:
+    def __init__(self, world: World, store: Store) -> None:
         self._world = world
+        self._store = store
 
     async def rooms(self, _: Request) -> Response:
         """The sample rooms that can be opened."""
@@ -86,9 +87,7 @@ class Files:
 
     async def asset(self, request: Request) -> Response:
         """A model by the hash of its bytes."""
-        glb = self._world.assets.get(request.path_params["digest"])
-        if glb is None:
-            raise HTTPException(404, NO_MODEL)
+        glb = await model_of(request.path_params["digest"], self._world.assets, self._store)
         headers = {"Cache-Control": FOREVER}
         return Response(glb, media_type="model/gltf-binary", headers=headers)
 

@@ -56,6 +56,11 @@ class Assets:
         self._make(look)
         return self.get(digest)
 
+    def look(self, digest: str) -> Look | None:
+        """What a model that was made shows; None for the catalogue's and for unknown ones."""
+        with self._lock:
+            return self._looks.get(digest)
+
     def _make(self, look: Look) -> str:
         from server.furniture import furniture_glb  # noqa: PLC0415 (slow to import)
 

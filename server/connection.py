@@ -30,16 +30,17 @@ from server.effects import (
 from server.engine import Cancel, Engine
 from server.incoming import Incoming
 from server.outbox import Frame, Outbox
-from server.protocol import AssetHeader, Hello, Problem, ServerMessage
+from server.protocol import CLOSE_REPLACED, AssetHeader, Hello, Problem, ServerMessage
 from server.results import Step as ResultStep
 from server.results import drawn, examined, furnished, graphed, remedied, solved, weighed
 from server.session import Session, Step, greet, handle
-from server.store import Store, Stored
+from server.store import SessionTakenError, Store, Stored
 from server.wire import Binary, Close, encode, frame
 from server.work import draw_graph, draw_maps, examine, make_models, make_offer, seek_remedy, weigh
 from server.world import World
 
 T = TypeVar("T")
+REPLACED = "This room was opened elsewhere; reload to go on here."
 log = logging.getLogger(__name__)
 
 
@@ -67,6 +68,11 @@ class Connection:
         except (WebSocketDisconnect, RuntimeError):
             return  # closed by the other side or by the server; the reader hears of it too
 
+    def replaced(self) -> None:
+        """Close the socket: the session goes on elsewhere."""
+        self.incoming.close(CLOSE_REPLACED, REPLACED)
+        self._engine.forget(self._session.id)
+
     async def talk(self, session: Session, hello: Hello) -> None:
         """Serve the session until the socket closes."""
         self._session = session
@@ -82,10 +88,14 @@ class Connection:
         """Go on to the next session and carry out what it wants."""
         self._session, effects = step
         for effect in effects:
-            if isinstance(effect, Save):
-                await self._store.save(effect.session, Stored(effect.revision, effect.scene))
-            else:
+            if not isinstance(effect, Save):
                 self._begin(effect)
+                continue
+            try:
+                await self._store.save(effect.session, Stored(effect.revision, effect.scene))
+            except SessionTakenError:
+                self.replaced()
+                return
 
     def _take_result(self, step: ResultStep) -> None:
         self._session, deeds = step
@@ -97,15 +107,20 @@ class Connection:
             case Send():
                 self._outbox.put(*deed.frames, deed.message)
             case Push():
-                glb = self._world.assets.get(deed.digest)
-                if glb is not None:
-                    self._outbox.put(Binary(AssetHeader(digest=deed.digest), glb))
+                self._push(deed.digest)
             case StopSolving():
                 self._abandon("maps", "offer", "remedy")
             case StopWeighing():
                 self._abandon("weigh")
             case _:
                 self._work(deed)
+
+    def _push(self, digest: str) -> None:
+        glb, look = self._world.assets.get(digest), self._world.assets.look(digest)
+        if look is not None:
+            self._store.keep_look(digest, look)
+        if glb is not None:
+            self._outbox.put(Binary(AssetHeader(digest=digest), glb))
 
     def _work(self, wish: Work) -> None:
         world = self._world

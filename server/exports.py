@@ -18,6 +18,7 @@ from scenegen_core.errors import SceneError, SceneGenError
 from scenegen_core.placement.solve import solve
 from scenegen_core.scene.files import SceneRecord, decode_scene, record_of, scene_of, write_scene
 from scenegen_core.scene.model import Box, Scene
+from server.assets import Assets
 from server.edits import Vocabulary, edited, wrong_query
 from server.looks import look_of
 from server.page import FOREVER
@@ -60,9 +61,7 @@ class Exports:
 
     async def model(self, request: Request) -> Response:
         """A model by its hash as USDZ."""
-        glb = self._world.assets.get(request.path_params["digest"])
-        if glb is None:
-            raise HTTPException(404, NO_MODEL)
+        glb = await model_of(request.path_params["digest"], self._world.assets, self._store)
         content = await to_thread.run_sync(_usdz, glb, limiter=self._limiter)
         return Response(content, media_type=USDZ, headers={"Cache-Control": FOREVER})
 
@@ -121,6 +120,16 @@ class Exports:
         glb = assets.get(assets.digest(look_of(box)))
         assert glb is not None
         return glb
+
+
+async def model_of(digest: str, assets: Assets, store: Store) -> bytes:
+    """The GLB of that hash, made again if it was made before; HTTPException 404 if it never was."""
+    glb = assets.get(digest)
+    if glb is None and (look := await store.look(digest)) is not None:
+        glb = assets.get(await to_thread.run_sync(assets.digest, look))
+    if glb is None:
+        raise HTTPException(404, NO_MODEL)
+    return glb
 
 
 def _usdz(glb: bytes) -> bytes:

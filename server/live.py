@@ -11,7 +11,6 @@ from server.connection import Connection
 from server.engine import Engine
 from server.limits import Addresses
 from server.protocol import (
-    CLOSE_REPLACED,
     CLOSE_TOO_MANY_SESSIONS,
     CLOSE_WRONG_PROTOCOL,
     MAX_SESSIONS_AN_ADDRESS,
@@ -23,7 +22,6 @@ from server.store import Store
 from server.world import World
 
 WRONG_PROTOCOL = "This page and the server are of different versions; reload the page."
-REPLACED = "This room was opened elsewhere; reload to go on here."
 TOO_MANY = "Too many pages are open from your address; close one and reload."
 
 
@@ -86,5 +84,4 @@ class Live:
         """Close the socket that has the session, if there is one."""
         before = self._open.get(session)
         if before is not None:
-            before.incoming.close(CLOSE_REPLACED, REPLACED)
-            self._engine.forget(session)
+            before.replaced()

@@ -27,6 +27,8 @@ class Settings:
     store: Path = STORE
     page: Path = PAGE
     """The built page."""
+    workers: int = 1
+    """Processes that serve; each loads what it needs."""
     lan: bool = False
     """Whether phones in the same network can join, over HTTPS."""
     cert: Path | None = None

@@ -1,4 +1,8 @@
-"""Sessions on disk: one SQLite file, one row a session, written before an edit is acknowledged."""
+"""Sessions on disk: one SQLite file, one row a session, written before an edit is acknowledged.
+
+Several processes may share the file: who has a session loaded writes only what is newer than what
+is there, so that of two sockets with one session in two processes the older cannot undo anything.
+"""
 
 from __future__ import annotations
 
@@ -16,6 +20,7 @@ import msgspec
 from scenegen_core.errors import SceneGenError
 from scenegen_core.scene.files import decode_scene, record_of, scene_of
 from scenegen_core.scene.model import Scene
+from server.looks import Look
 
 P = ParamSpec("P")
 T = TypeVar("T")
@@ -24,12 +29,25 @@ KEPT = 30  # days; sessions that nobody touched for longer are removed at the st
 SCHEMA = """
 CREATE TABLE IF NOT EXISTS sessions (
     id TEXT PRIMARY KEY, revision INTEGER NOT NULL, scene BLOB NOT NULL, updated TEXT NOT NULL
+);
+CREATE TABLE IF NOT EXISTS models (
+    digest TEXT PRIMARY KEY, look BLOB NOT NULL, updated TEXT NOT NULL
 )"""
 WRITE = """
 INSERT INTO sessions VALUES (?, ?, ?, datetime('now')) ON CONFLICT (id) DO UPDATE
-SET revision = excluded.revision, scene = excluded.scene, updated = excluded.updated"""
+SET revision = excluded.revision, scene = excluded.scene, updated = excluded.updated
+WHERE excluded.revision > sessions.revision"""
 READ = "SELECT revision, scene FROM sessions WHERE id = ?"
-PRUNE = "DELETE FROM sessions WHERE updated < datetime('now', ?)"
+KEEP_LOOK = "INSERT OR REPLACE INTO models VALUES (?, ?, datetime('now'))"
+READ_LOOK = "SELECT look FROM models WHERE digest = ?"
+PRUNE = (
+    "DELETE FROM sessions WHERE updated < datetime('now', ?)",
+    "DELETE FROM models WHERE updated < datetime('now', ?)",
+)
+
+
+class SessionTakenError(Exception):
+    """Another process has written a newer state of the session."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -51,7 +69,8 @@ class Store:
         """Open or make the file; SceneGenError if that cannot be."""
         self._thread = ThreadPoolExecutor(1, thread_name_prefix="store")
         self._waiting: dict[str, Stored] = {}
-        self._next: asyncio.Task[None] | None = None
+        self._next: asyncio.Task[frozenset[str]] | None = None
+        self._looks: set[str] = set()
         self._writing = asyncio.Lock()
         try:
             self._database = self._thread.submit(_open, path).result()
@@ -62,17 +81,31 @@ class Store:
             ) from None
 
     async def save(self, session: str, stored: Stored) -> None:
-        """Return once this state of the session, or a newer one, is on disk."""
+        """Return once this state of the session, or a newer one, is on disk.
+
+        SessionTakenError if another process goes on with the session.
+        """
         self._waiting[session] = stored
         if self._next is None:
             self._next = asyncio.create_task(self._commit())
-        await asyncio.shield(self._next)
+        if session in await asyncio.shield(self._next):
+            raise SessionTakenError
 
     async def load(self, session: str) -> Stored | None:
         """The session as it was saved last; None if it is unknown."""
         async with self._writing:
             waiting = self._waiting.get(session)
             return waiting or await self._run(_read, self._database, session)
+
+    def keep_look(self, digest: str, look: Look) -> None:
+        """Remember what a model shows, soon: other processes, and later ones, can make it again."""
+        if digest not in self._looks:
+            self._looks.add(digest)
+            self._thread.submit(_keep_look, self._database, digest, look)
+
+    async def look(self, digest: str) -> Look | None:
+        """What a model shows; None if no such model was ever sent."""
+        return await self._run(_read_look, self._database, digest)
 
     async def close(self) -> None:
         """Write what waits and close the file."""
@@ -81,10 +114,10 @@ class Store:
         await self._run(self._database.close)
         self._thread.shutdown()
 
-    async def _commit(self) -> None:
+    async def _commit(self) -> frozenset[str]:
         async with self._writing:
             batch, self._waiting, self._next = self._waiting, {}, None
-            await self._run(_write, self._database, batch)
+            return await self._run(_write, self._database, batch)
 
     async def _run(self, work: Callable[P, T], *args: P.args, **named: P.kwargs) -> T:
         loop = asyncio.get_running_loop()
@@ -99,18 +132,31 @@ def _open(path: Path) -> sqlite3.Connection:
     database.execute("PRAGMA journal_mode = WAL")
     database.execute("PRAGMA synchronous = NORMAL")
     with database:
-        database.execute(SCHEMA)
-        database.execute(PRUNE, (f"-{KEPT} days",))
+        database.executescript(SCHEMA)
+        for statement in PRUNE:
+            database.execute(statement, (f"-{KEPT} days",))
     return database
 
 
-def _write(database: sqlite3.Connection, batch: dict[str, Stored]) -> None:
-    rows = [
-        (session, stored.revision, msgspec.json.encode(record_of(stored.scene)))
-        for session, stored in batch.items()
-    ]
+def _write(database: sqlite3.Connection, batch: dict[str, Stored]) -> frozenset[str]:
+    """Write what is newer than what is there; the sessions of which it is not."""
+    taken = set()
     with database:
-        database.executemany(WRITE, rows)
+        for session, stored in batch.items():
+            scene = msgspec.json.encode(record_of(stored.scene))
+            if database.execute(WRITE, (session, stored.revision, scene)).rowcount == 0:
+                taken.add(session)
+    return frozenset(taken)
+
+
+def _keep_look(database: sqlite3.Connection, digest: str, look: Look) -> None:
+    with database:
+        database.execute(KEEP_LOOK, (digest, msgspec.json.encode(look)))
+
+
+def _read_look(database: sqlite3.Connection, digest: str) -> Look | None:
+    row = database.execute(READ_LOOK, (digest,)).fetchone()
+    return None if row is None else msgspec.json.decode(row[0], type=Look)
 
 
 def _read(database: sqlite3.Connection, session: str) -> Stored | None:

@@ -3,39 +3,30 @@
 from __future__ import annotations
 
 import argparse
-import asyncio
 import signal
 import socket
-import sys
-from collections.abc import Callable
-from contextlib import AbstractAsyncContextManager, ExitStack, nullcontext, suppress
+from contextlib import ExitStack, nullcontext, suppress
 from dataclasses import fields, replace
 from datetime import UTC, datetime
 from functools import partial
-from importlib import import_module
 from pathlib import Path
 from types import FrameType
 from typing import TYPE_CHECKING
-
-import uvicorn
 
 from scenegen_core.errors import SceneGenError
 from server.app import make_app
 from server.commands.greeting import greeting
 from server.guide import serving_guide
-from server.joining import Join, way_in
+from server.joining import way_in
 from server.network import EVERYWHERE, lan_names
-from server.protocol import MAX_TEXT_BYTES
+from server.processes import Server, Workers, loaded_app
 from server.settings import Settings
-from server.world import World, load_world
+from server.world import load_world
 
 if TYPE_CHECKING:
     from server.certificate import Certificate
 
-Beside = AbstractAsyncContextManager[None]
 LAST_PORT = 65535
-SWITCH_INTERVAL = 0.0005  # seconds; work in other threads then hardly delays acknowledgements
-LARGEST_FRAME = 4 * MAX_TEXT_BYTES  # bytes; up to here a sentence answers, beyond the socket closes
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -43,6 +34,9 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     defaults = Settings()
     parser.add_argument("--host", default=defaults.host, help="address to listen on")
     parser.add_argument("--port", type=port, default=defaults.port, help="0 for any free port")
+    parser.add_argument(
+        "--workers", type=count, default=defaults.workers, metavar="N", help="processes that serve"
+    )
     parser.add_argument(
         "--lan", action="store_true", help="let phones in the same network join, over HTTPS"
     )
@@ -62,7 +56,6 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 def run(arguments: argparse.Namespace) -> int:
     """Serve until Ctrl+C; SceneGenError if that cannot begin."""
-    sys.setswitchinterval(SWITCH_INTERVAL)
     settings = _settings(arguments)
     certificate = certificate_of(settings)
     world = load_world(settings)
@@ -74,17 +67,16 @@ def run(arguments: argparse.Namespace) -> int:
         guide_port = guide.getsockname()[1] if guide else None
         join = way_in(settings, certificate, port=port, guide_port=guide_port)
         text = greeting(settings, world, port=port, join=join, certificate=certificate)
-        server = make_server(
-            settings,
-            world,
-            ready=partial(print, text, flush=True),
-            join=join,
-            certificate=certificate,
-            beside=serving_guide(guide, port=port) if guide else nullcontext(),
-        )
+        ready = partial(print, text, flush=True)
+        beside = serving_guide(guide, port=port) if guide else nullcontext()
         signal.signal(signal.SIGTERM, _stop)
         with suppress(KeyboardInterrupt):
-            server.run(sockets=[listener])
+            if settings.workers == 1:
+                app = make_app(settings, world, join)
+                Server(app, certificate, ready, beside).run(sockets=[listener])
+            else:
+                loaded = partial(loaded_app, settings, join)
+                Workers(loaded, settings.workers, certificate, ready, beside).run_on(listener)
         print("\nStopped; the rooms are kept.")
     return 0
 
@@ -115,52 +107,6 @@ def listen(host: str, port: int) -> socket.socket:
         ) from None
 
 
-class Server(uvicorn.Server):
-    """A server that says when it is ready, and has something beside it while it runs."""
-
-    def __init__(self, config: uvicorn.Config, ready: Callable[[], None], beside: Beside) -> None:
-        super().__init__(config)
-        self._ready = ready
-        self._beside = beside
-
-    async def serve(self, sockets: list[socket.socket] | None = None) -> None:
-        """Run until it is told to stop."""
-        async with self._beside:
-            await super().serve(sockets)
-
-    async def startup(self, sockets: list[socket.socket] | None = None) -> None:
-        """Begin to answer."""
-        await super().startup(sockets)
-        self._ready()
-        # Slow to import; the first room needs it, and the page still has to load before that.
-        asyncio.get_running_loop().run_in_executor(None, import_module, "server.furniture")
-
-
-def make_server(
-    settings: Settings,
-    world: World,
-    *,
-    ready: Callable[[], None],
-    join: Join | None = None,
-    certificate: Certificate | None = None,
-    beside: Beside | None = None,
-) -> Server:
-    """The server, to be run on a socket that listens."""
-    config = uvicorn.Config(
-        make_app(settings, world, join),
-        ws="websockets-sansio",
-        ws_max_size=LARGEST_FRAME,
-        ws_per_message_deflate=False,  # frames are small or do not shrink; a bomb cannot grow
-        ssl_certfile=certificate.cert if certificate else None,
-        ssl_keyfile=certificate.key if certificate else None,
-        log_level="warning",
-        access_log=False,
-        server_header=False,
-        timeout_graceful_shutdown=3,
-    )
-    return Server(config, ready, beside or nullcontext())
-
-
 def _settings(arguments: argparse.Namespace) -> Settings:
     """What the arguments ask for; SceneGenError if they do not go together."""
     settings = Settings(**{f.name: getattr(arguments, f.name) for f in fields(Settings)})
@@ -174,6 +120,14 @@ def _settings(arguments: argparse.Namespace) -> Settings:
 def following(port: int) -> int:
     """The next port; 0, any that is free, after the last one and after 0."""
     return port + 1 if 0 < port < LAST_PORT else 0
+
+
+def count(text: str) -> int:
+    """A number of processes; ValueError if it is none."""
+    number = int(text)
+    if number < 1:
+        raise ValueError(text)
+    return number
 
 
 def port(text: str) -> int:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import subprocess
 import sys
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, nullcontext
 from struct import unpack_from
 from threading import Event, Thread
 from typing import TypeVar
@@ -20,7 +20,9 @@ from websockets.sync.client import ClientConnection, connect
 from websockets.typing import Origin, Subprotocol
 
 from scenegen_core.scene.files import BoxRecord, RoomRecord, SceneRecord
-from server.commands.serve import listen, make_server
+from server.app import make_app
+from server.commands.serve import listen
+from server.processes import Server
 from server.protocol import (
     SUBPROTOCOL,
     AssetHeader,
@@ -116,7 +118,7 @@ def serving(settings: Settings, world: World) -> Iterator[str]:
     """A running server: its address, ``ws://...``; afterwards it is stopped."""
     with listen(settings.host, settings.port) as listener:
         ready = Event()
-        server = make_server(settings, world, ready=ready.set)
+        server = Server(make_app(settings, world), None, ready.set, nullcontext())
         thread = Thread(target=server.run, kwargs={"sockets": [listener]})
         thread.start()
         ready.wait()

@@ -16,8 +16,8 @@ from websockets.sync.client import connect
 from websockets.typing import Origin, Subprotocol
 
 from server.cli import main
-from server.protocol import SUBPROTOCOL
-from tests.server.driving import Page, page, started
+from server.protocol import SUBPROTOCOL, Ack, Hello, Models, PutBox, Welcome
+from tests.server.driving import TABLE, Page, page, started
 
 
 @pytest.mark.parametrize("signum", [signal.SIGINT, signal.SIGTERM])
@@ -45,6 +45,36 @@ def test_it_says_what_it_has_serves_and_stops_without_a_complaint(
 def options(page_files: Path, tmp_path: Path) -> tuple[str, ...]:
     store = str(tmp_path / "var" / "store")
     return ("--port", "0", "--store", store, "--page", str(page_files))
+
+
+def test_several_processes_serve_one_store(options: tuple[str, ...]) -> None:
+    """Whichever process a socket comes to, the session goes on, and its models are there."""
+    with started("--workers", "2", *options) as (process, printed):
+        found = re.search(r"http://(127\.0\.0\.1:\d+)", printed)
+        assert found is not None
+        with page(f"ws://{found[1]}") as here:
+            session = here.open().session
+            here.until(Ack)
+            (digest,) = here.until(Models).boxes.values()
+        for revision in range(1, 9):
+            with page(f"ws://{found[1]}") as here:
+                here.send(Hello(session=session, revision=revision))
+                assert here.until(Welcome).revision == revision
+                here.send(PutBox(seq=1, box=TABLE))
+                assert here.until(Ack).revision == revision + 1
+            for name in (f"assets/{digest}.glb", f"usdz/{digest}.usdz"):
+                with urlopen(f"http://{found[1]}/{name}") as response:
+                    assert response.status == 200
+        process.send_signal(signal.SIGTERM)
+        out, err = process.communicate()
+    assert (process.returncode, err) == (0, "")
+    assert "kept" in out
+
+
+def test_no_process_at_all_is_refused(capsys: pytest.CaptureFixture[str]) -> None:
+    with pytest.raises(SystemExit):
+        main(["serve", "--workers", "0"])
+    assert "--workers" in capsys.readouterr().err
 
 
 def test_phones_join_over_https_with_the_token_that_is_printed(

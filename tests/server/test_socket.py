@@ -29,6 +29,7 @@ from server.protocol import (
     Pong,
     Problem,
     PutBox,
+    PutRoom,
     PutScene,
     Query,
     RemoveBox,
@@ -190,6 +191,26 @@ def test_a_second_socket_of_a_session_replaces_the_first(url: str) -> None:
             assert "elsewhere" in reason
             second.send(RemoveBox(seq=2, id="table"))
             assert second.until(Ack) == Ack(seq=2, revision=2)
+
+
+def test_of_two_servers_with_one_store_the_one_with_the_newer_room_goes_on(
+    world: World, page_files: Path, tmp_path: Path
+) -> None:
+    settings = Settings(port=0, store=tmp_path / "sessions.sqlite3", page=page_files)
+    with serving(settings, world) as url, page(url) as first:
+        session = first.open().session
+        first.until(Ack)
+        with serving(settings, world) as other, page(other) as second:
+            second.send(Hello(session=session, revision=1))
+            assert second.until(Welcome).resumed
+            second.send(RemoveBox(seq=2, id="table"))
+            assert second.until(Ack) == Ack(seq=2, revision=2)
+            first.send(PutRoom(seq=2, room=ROOM))
+            code, reason = closed(first)
+            assert code == CLOSE_REPLACED
+            assert "elsewhere" in reason
+            second.send(RemoveBox(seq=3, id="table"))
+            assert second.until(Ack) == Ack(seq=3, revision=3)
 
 
 def test_a_session_survives_that_its_first_socket_ends_after_its_second(url: str) -> None:

@@ -11,7 +11,8 @@ import pytest
 
 from scenegen_core.errors import SceneGenError
 from scenegen_core.scene.files import scene_of
-from server.store import Store, Stored
+from server.looks import Look
+from server.store import SessionTakenError, Store, Stored
 from tests.server.driving import SCENE
 
 DRAWN = scene_of(SCENE)
@@ -83,6 +84,38 @@ def test_a_load_sees_what_is_still_being_saved(tmp_path: Path) -> None:
         await saving
 
     with_store(tmp_path / "sessions.sqlite3", save_and_load)
+
+
+def test_who_has_an_older_state_of_a_session_cannot_write_over_a_newer_one(tmp_path: Path) -> None:
+    path = tmp_path / "sessions.sqlite3"
+
+    async def two_processes(one: Store) -> None:
+        other = Store(path)
+        await one.save("a", Stored(1, DRAWN))
+        await other.save("a", Stored(2, DRAWN))
+        for revision in (1, 2):
+            with pytest.raises(SessionTakenError):
+                await one.save("a", Stored(revision, DRAWN))
+        await one.save("b", Stored(1, DRAWN))
+        assert rows(path) == [("a", 2), ("b", 1)]
+        await other.close()
+
+    with_store(path, two_processes)
+
+
+def test_what_a_model_shows_is_known_after_a_restart(tmp_path: Path) -> None:
+    path, sofa = tmp_path / "sessions.sqlite3", Look("Sofa", (90, 200, 80), "couch")
+
+    async def keep(store: Store) -> None:
+        for _ in range(2):
+            store.keep_look("abc", sofa)
+
+    async def recall(store: Store) -> None:
+        assert await store.look("abc") == sofa
+        assert await store.look("abd") is None
+
+    with_store(path, keep)
+    with_store(path, recall)
 
 
 def test_sessions_untouched_for_a_month_are_removed_at_the_start(tmp_path: Path) -> None:
