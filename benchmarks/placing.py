@@ -28,9 +28,9 @@ from scenegen_core.graph.situation import Situation
 from scenegen_core.graph.surroundings import Surroundings
 from scenegen_core.knowledge import Knowledge, default_knowledge
 from scenegen_core.knowledge.density import Density
-from scenegen_core.placement.answer import Model, Query
+from scenegen_core.placement.answer import MODELS, Model, Query
 from scenegen_core.placement.feasible import ALLOWED, Space, verdicts
-from scenegen_core.placement.models import MODELS
+from scenegen_core.placement.models import model_of
 from scenegen_core.placement.proposals import propose
 from scenegen_core.placement.solve import draw, solve
 from scenegen_core.scene.model import Scene
@@ -90,7 +90,7 @@ def few(category: str, model: Model, knowledge: Knowledge) -> tuple[Step, Candid
         scene = Surroundings(rooms.changed(rooms.living_room(), run), knowledge.groups)
         situation = Situation(poses, scene)
         verdicts(situation, Space.of(scene))
-        MODELS[model](knowledge, category).total(situation)
+        model_of(model, knowledge, category).total(situation)
 
     return step, poses
 
@@ -137,7 +137,7 @@ def poses(runs: int, knowledge: Knowledge) -> Iterator[tuple[str, Timed]]:
         many = propose(around, knowledge["Chair"].category, knowledge["Chair"].usual_size)
         allowed = verdicts(Situation(many.candidates, around), Space.of(around)) == ALLOWED
         all_poses = many.candidates[np.flatnonzero(allowed)]
-        scorer = MODELS[model](knowledge, "Chair")
+        scorer = model_of(model, knowledge, "Chair")
         yield (
             f"{len(all_poses)} poses scored, {model}",
             timed(lambda _, c=all_poses, s=scorer, a=around: s.total(Situation(c, a)), runs // 4),

@@ -11,7 +11,7 @@ from functools import lru_cache
 
 import numpy as np
 
-from scenegen_core.graph import scan
+from scenegen_core.graph import scan, scan_boxes, scan_walls
 from scenegen_core.graph.relations import Relation
 from scenegen_core.graph.situation import Situation
 from scenegen_core.graph.surroundings import Surroundings
@@ -40,7 +40,7 @@ def _walls(situation: Situation) -> Floats:
     normal = left_of(run)
     inward = np.arctan2(normal[:, 1], normal[:, 0])
     out = np.empty((len(scan.WALL_PARTS), len(situation.candidates)))
-    scan.look_at_walls(
+    scan_walls.look_at_walls(
         situation.shapes.columns, situation.candidates.headings, _symmetric(situation),
         situation.wall_reach, situation.wall_gaps.T, inward, out,
     )  # fmt: skip
@@ -51,7 +51,7 @@ def _free_space(situation: Situation) -> Floats:
     """The free floor behind, ahead and beside, and what is near."""
     candidates, around = situation.candidates, situation.surroundings
     out = np.empty((len(scan.FREE_PARTS), len(candidates)))
-    scan.look_round(
+    scan_boxes.look_round(
         situation.shapes.columns, candidates.bottoms, candidates.tops, _symmetric(situation),
         situation.wall_reach, around.footprints.rows, around.bottoms, around.tops,
         situation.gaps.T, out,
@@ -90,7 +90,7 @@ def _openings(situation: Situation, openings: tuple[Opening, ...]) -> Floats:
     away = gaps(situation.shapes, shapes)
     out = np.empty((len(scan.OPENING_PARTS), len(situation.candidates)))
     beyond = np.empty(len(situation.candidates))
-    scan.look_at_openings(situation.shapes.columns, shapes.rows, away.T, out, beyond)
+    scan_walls.look_at_openings(situation.shapes.columns, shapes.rows, away.T, out, beyond)
     out[1] = _bearings(situation, out[1], beyond)
     return out.T
 
@@ -118,7 +118,7 @@ def _mirror(situation: Situation) -> Floats:
     """Distance and turn to the nearest free place that mirrors one of the kind."""
     places = mirror_places(situation.surroundings, situation.candidates.category)
     out = np.empty((2, len(situation.candidates)))
-    scan.look_at_twins_places(
+    scan_boxes.look_at_twins_places(
         situation.shapes.columns, situation.candidates.headings, _symmetric(situation), places, out
     )
     return out.T
@@ -165,7 +165,7 @@ def _look_at(situation: Situation, group_of: Ints, groups: int) -> Floats:
     fronted = np.array([name not in around.frontless for name in around.categories], dtype=bool)
     parts = len(scan.NEIGHBOR_PARTS)
     out, beyond = np.empty((groups * parts, len(candidates))), np.empty((groups, len(candidates)))
-    scan.look_at_neighbors(
+    scan_boxes.look_at_neighbors(
         situation.shapes.columns, candidates.headings, candidates.bottoms, _symmetric(situation),
         around.footprints.rows, situation.gaps.T, around.footprints.headings, around.tops,
         around.fronts_known & fronted, group_of, groups, out, beyond,

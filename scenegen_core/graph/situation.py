@@ -7,7 +7,7 @@ from functools import cached_property
 import numpy as np
 
 from scenegen_core.graph.candidates import Candidates
-from scenegen_core.graph.scan import rays_to_walls
+from scenegen_core.graph.scan_walls import rays_to_walls
 from scenegen_core.graph.surroundings import Surroundings
 from scenegen_core.scene.geometry import (
     Bools,

@@ -30,7 +30,7 @@ BLOCKED_ID = "new"
 
 
 @dataclass(frozen=True, slots=True)
-class Choice:
+class Chosen:
     """Which poses are on offer, and what the first that was refused would have closed."""
 
     poses: Ints
@@ -56,7 +56,7 @@ def choose(
     rng: np.random.Generator,
     keep_going: Callable[[], None],
     expects: bool = False,
-) -> Choice:
+) -> Chosen:
     """Up to ``count`` poses at least APART; ties by ``rng``. ``scores`` (n,) of all proposals.
 
     ``expects`` where scores are log-probabilities. ``keep_going`` is called now and then and raises
@@ -77,7 +77,7 @@ def choose(
             offers.take(pose)
         elif closed is None:
             closed = blocked
-    return Choice(np.array(chosen, dtype=np.int64), closed)
+    return Chosen(np.array(chosen, dtype=np.int64), closed)
 
 
 class _Ranked:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import lru_cache
 from typing import Protocol
 
 from scenegen_core.graph.situation import Situation
@@ -31,8 +32,13 @@ class PlacementModel(Protocol):
         """The known rooms that speak for the single pose of a situation, the loudest first."""
 
 
-MODELS: dict[Model, Callable[[Knowledge, str], PlacementModel]] = {
+_MODELS: dict[Model, Callable[[Knowledge, str], PlacementModel]] = {
     "scenegen": ChoiceModel,
     "paper": PaperModel,
 }
-"""The models by name: (knowledge, category) -> model; KnowledgeError if too little is known."""
+
+
+@lru_cache(maxsize=64)
+def model_of(name: Model, knowledge: Knowledge, category: str) -> PlacementModel:
+    """A model of a category, made once; KnowledgeError if too little is known."""
+    return _MODELS[name](knowledge, category)

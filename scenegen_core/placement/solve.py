@@ -14,7 +14,7 @@ from scenegen_core.graph.situation import Situation
 from scenegen_core.graph.surroundings import Surroundings
 from scenegen_core.graph.wording import noun
 from scenegen_core.knowledge.knowledge import CategoryKnowledge, Knowledge
-from scenegen_core.placement.alternatives import Choice, choose
+from scenegen_core.placement.alternatives import Chosen, choose
 from scenegen_core.placement.answer import (
     Answer,
     Cancelled,
@@ -29,7 +29,7 @@ from scenegen_core.placement.explain import Explainer, reference
 from scenegen_core.placement.feasible import ALLOWED, RULES, Space, verdicts
 from scenegen_core.placement.heat_map import heat_maps, likelihood, scale
 from scenegen_core.placement.inspecting import Inspector
-from scenegen_core.placement.models import MODELS, PlacementModel
+from scenegen_core.placement.models import PlacementModel, model_of
 from scenegen_core.placement.names import names
 from scenegen_core.placement.proposals import Proposals, propose
 from scenegen_core.placement.refusals import no_good_place
@@ -131,7 +131,7 @@ def draw(
     """The heat maps, long before the offers and reasons. Raises what ``solve`` does."""
     learnt = knowledge[query.category]
     size = _size(query, learnt)
-    model = MODELS[query.model](knowledge, query.category)
+    model = model_of(query.model, knowledge, query.category)
     around = Surroundings(scene, knowledge.groups)
     space = Space.of(around, query.relaxed)
     proposals = propose(around, learnt.category, size)
@@ -185,7 +185,7 @@ def _scores(
 
 def _poses(
     proposals: Proposals,
-    choice: Choice,
+    choice: Chosen,
     scores: Floats,
     bounds: tuple[float, float],
     around: Surroundings,
@@ -219,7 +219,7 @@ def _poses(
 
 
 def _no_good_place(
-    verdict: Ints, choice: Choice, query: Query, size: Vector3
+    verdict: Ints, choice: Chosen, query: Query, size: Vector3
 ) -> NoGoodPlace | None:
     if len(choice.poses):
         return None

@@ -17,10 +17,10 @@ from scenegen_core.graph.situation import Situation
 from scenegen_core.graph.surroundings import Surroundings
 from scenegen_core.knowledge import default_knowledge
 from scenegen_core.knowledge.learning import learn
-from scenegen_core.placement.answer import Answer, Cancelled, Model, Pose, Query, Surface
+from scenegen_core.placement.answer import MODELS, Answer, Cancelled, Model, Pose, Query, Surface
 from scenegen_core.placement.choice_learning import gather, with_choices
 from scenegen_core.placement.feasible import ALLOWED, Space, verdicts
-from scenegen_core.placement.models import MODELS
+from scenegen_core.placement.models import model_of
 from scenegen_core.placement.mounts import Mount
 from scenegen_core.placement.proposals import SURFACES, propose, unrolled
 from scenegen_core.placement.solve import Solution, solve
@@ -129,7 +129,7 @@ def test_the_reasons_add_up_to_the_score(every: Solved) -> None:
 
 def test_scores_differ_as_the_model_s_own_do(every: Solved) -> None:
     answer = every.answer
-    model = MODELS[every.model](KNOWLEDGE, answer.category)
+    model = model_of(every.model, KNOWLEDGE, answer.category)
     candidates = Candidates(
         answer.category,
         answer.size,
