@@ -7,4 +7,5 @@ export const NO_AR: ArControls = {
   mark: () => {},
   lineUp: () => {},
   turnRound: () => {},
+  capture: () => {},
 };

@@ -1,7 +1,9 @@
 /** Hand-drawn rooms and boxes for the tests. */
+
+import type { Action } from "../../web/src/model/actions";
 import { emptyScene, initialState } from "../../web/src/model/initial";
 import { reduce } from "../../web/src/model/reduce";
-import type { Action, State } from "../../web/src/model/state";
+import type { State } from "../../web/src/model/state";
 import type { Answer, BoxRecord, Placement, SceneRecord } from "../../web/src/net/protocol.gen";
 
 /** 5 m along x, 4 m along y, corner 0 at the origin. */

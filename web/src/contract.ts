@@ -27,6 +27,8 @@ export interface ArControls {
   lineUp(): void;
   /** The room fits its corners in another way too. */
   turnRound(): void;
+  /** Has the device look round the room, where it can: what it finds is then on offer. */
+  capture(): void;
 }
 
 export interface PanelButton {

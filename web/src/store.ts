@@ -1,6 +1,8 @@
 /** The one state of the page, and who is told when it changes. */
+
+import type { Action } from "./model/actions";
 import { reduce } from "./model/reduce";
-import type { Action, State } from "./model/state";
+import type { State } from "./model/state";
 
 export type Dispatch = (action: Action) => void;
 

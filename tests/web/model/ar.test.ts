@@ -1,5 +1,6 @@
 import { describe, expect, test } from "vitest";
-import type { Action, Point, State } from "../../../web/src/model/state";
+import type { Action } from "../../../web/src/model/actions";
+import type { Point, State } from "../../../web/src/model/state";
 import { begin, box, play } from "../rooms";
 
 const enter = (state: State, room: "new" | "known" = "new"): State =>
@@ -8,7 +9,7 @@ const ready = (state: State): State =>
   play(enter(state), { type: "change-ar", change: { step: "ready" } });
 const found = (...ids: readonly string[]): Action => ({
   type: "change-ar",
-  change: { found: { corners: null, boxes: ids.map((id) => box(id)) } },
+  change: { found: { corners: null, doors: [], windows: [], boxes: ids.map((id) => box(id)) } },
 });
 
 describe("the camera view", () => {

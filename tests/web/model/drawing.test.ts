@@ -1,5 +1,6 @@
 import { describe, expect, test } from "vitest";
-import type { Action, Point, State, Tool } from "../../../web/src/model/state";
+import type { Action } from "../../../web/src/model/actions";
+import type { Point, State, Tool } from "../../../web/src/model/state";
 import { begin, box, play } from "../rooms";
 
 const tool = (name: Tool): Action => ({ type: "choose-tool", tool: name });

@@ -1,5 +1,6 @@
 import { describe, expect, test } from "vitest";
-import type { Action, Selection, State } from "../../../web/src/model/state";
+import type { Action } from "../../../web/src/model/actions";
+import type { Selection, State } from "../../../web/src/model/state";
 import { begin, box, play, room } from "../rooms";
 
 const table = box("table", { size: [0.8, 1.2, 0.8], center: [2.5, 2, 0.4] });

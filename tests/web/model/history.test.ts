@@ -1,6 +1,7 @@
 import { describe, expect, test } from "vitest";
+import type { Action } from "../../../web/src/model/actions";
 import { MAX_STEPS } from "../../../web/src/model/history";
-import type { Action, State } from "../../../web/src/model/state";
+import type { State } from "../../../web/src/model/state";
 import { begin, box, play } from "../rooms";
 
 const table = box("table");

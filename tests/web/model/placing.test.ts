@@ -1,6 +1,7 @@
 import { describe, expect, test } from "vitest";
+import type { Action } from "../../../web/src/model/actions";
 import { refusalOf } from "../../../web/src/model/ghost";
-import type { Action, HeatMap, State } from "../../../web/src/model/state";
+import type { HeatMap, State } from "../../../web/src/model/state";
 import type { Inspected } from "../../../web/src/net/protocol.gen";
 import { answer, begin, box, placement, play } from "../rooms";
 

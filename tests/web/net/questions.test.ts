@@ -1,5 +1,6 @@
 import { describe, expect, test } from "vitest";
-import type { Action, State } from "../../../web/src/model/state";
+import type { Action } from "../../../web/src/model/actions";
+import type { State } from "../../../web/src/model/state";
 import {
   askedOf,
   inspectionDone,

@@ -1,5 +1,6 @@
 import { describe, expect, test } from "vitest";
-import type { Action, State } from "../../../web/src/model/state";
+import type { Action } from "../../../web/src/model/actions";
+import type { State } from "../../../web/src/model/state";
 import { announcement } from "../../../web/src/ui/announcements";
 import { answer, begin, box, placement, play, room } from "../rooms";
 

@@ -1,5 +1,6 @@
 import { describe, expect, test } from "vitest";
-import type { Action, Ar, State } from "../../../web/src/model/state";
+import type { Action } from "../../../web/src/model/actions";
+import type { Ar, State } from "../../../web/src/model/state";
 import { announcement } from "../../../web/src/ui/announcements";
 import { arHint, markInWords, obstacleInWords } from "../../../web/src/ui/ar_words";
 import { hint } from "../../../web/src/ui/hints";
@@ -64,7 +65,10 @@ describe("what to do next in the camera view", () => {
   });
 
   test("the piece in question is named", () => {
-    const found = play(ready, change({ found: { corners: null, boxes: [box("box-1")] } }));
+    const found = play(
+      ready,
+      change({ found: { corners: null, doors: [], windows: [], boxes: [box("box-1")] } }),
+    );
     expect(announcement(ready, found)).toBe("1 piece found.");
     expect(announcement(found, play(found, { type: "use-found" }))).toBe("Is this a table?");
   });

@@ -1,8 +1,9 @@
 /** A person at the keyboard: the real reducer and panels' state, with services that take notes. */
 import type { nothing, TemplateResult } from "lit";
 import type { Services } from "../../../web/src/contract";
+import type { Action } from "../../../web/src/model/actions";
 import { reduce } from "../../../web/src/model/reduce";
-import type { Action, State } from "../../../web/src/model/state";
+import type { State } from "../../../web/src/model/state";
 import { press } from "../../../web/src/ui/keyboard";
 import { follow } from "../../../web/src/ui/local";
 import { INITIAL_LOCAL, type Local, type Page } from "../../../web/src/ui/page";

@@ -1,6 +1,7 @@
 import { expect, test } from "vitest";
 import type { PanelButton } from "../../../web/src/contract";
-import type { Action, State } from "../../../web/src/model/state";
+import type { Action } from "../../../web/src/model/actions";
+import type { State } from "../../../web/src/model/state";
 import { floating } from "../../../web/src/ui/floating";
 import { NO_AR } from "../no_ar";
 import { answer, begin, box, placement, play } from "../rooms";
@@ -43,16 +44,19 @@ test("no row has more than five buttons, and there are no more than three rows",
   }
 });
 
-test("a sofa is placed on the second of the places, with its reason as the sentence", () => {
+test("a sofa is placed on the second of the places, with its name and reason as the sentence", () => {
   const asked = panel(inAr(begin()), "Sofa").state;
   const told = play(asked, {
     type: "answer",
     answer: answer(asked.placing?.ask ?? "", 1, {
-      placements: [placement(1), placement(2, { center: [4, 3, 0.4], sentence: "By the window" })],
+      placements: [
+        placement(1),
+        placement(2, { center: [4, 3, 0.4], name: "Near the TV", sentence: "By the window" }),
+      ],
     }),
   });
   const shown = panel(told, "2");
-  expect(shown.title).toBe("By the window.");
+  expect(shown.title).toBe("Near the TV: By the window.");
   const placed = panel(shown.state, "Place it").state;
   expect(placed.scene.boxes[0]?.center).toEqual([4, 3, 0.4]);
 });
@@ -63,10 +67,26 @@ test("what goes wrong is said until it was read", () => {
   expect(panel(wrong, "OK").labels).toContain("Sofa");
 });
 
+test("a device that can look round the room is asked to while nothing is marked in it", () => {
+  const able = play(begin(), { type: "enter-ar", room: "new", granted: ["room-capture"] });
+  const ready = play(able, { type: "change-ar", change: { step: "ready" } });
+  expect(panel(ready).labels).toContain("Scan");
+  const marked = play(ready, { type: "edit-box", box: box("a"), done: true });
+  expect(panel(marked).labels).not.toContain("Scan");
+  expect(panel(marked).labels).toContain("Outline");
+  expect(panel(inAr(begin())).labels).not.toContain("Scan");
+});
+
+test("doors are put in from the panel too", () => {
+  expect(panel(inAr(begin()), "Door").state.tool).toBe("door");
+});
+
 test("pieces that the device knows are used, kept and dropped", () => {
   const found = play(inAr(begin()), {
     type: "change-ar",
-    change: { found: { corners: null, boxes: [box("box-1"), box("box-2")] } },
+    change: {
+      found: { corners: null, doors: [], windows: [], boxes: [box("box-1"), box("box-2")] },
+    },
   });
   expect(panel(found).title).toContain("2 pieces found");
   const checked = panel(found, "Use them", "Keep", "Drop").state;

@@ -87,6 +87,30 @@ describe("a room that the device knows", () => {
     expect(foundIn([outline, whole], drawn)?.boxes).toHaveLength(1);
   });
 
+  test("has its doors and windows on the walls that they are nearest to", () => {
+    const upright = (
+      label: string,
+      x: readonly number[],
+      y: number,
+      z: readonly number[],
+    ): Piece => ({
+      label,
+      flat: true,
+      points: x.flatMap((at) => z.map((height): Vector3 => [at, y, height])),
+    });
+    const door = upright("door", [1, 1.9], 0.03, [0.02, 2.05]);
+    const window = upright("window", [2, 3.2], 4.05, [0.9, 2.1]);
+    const slit = upright("window", [4, 4.1], 4, [0.9, 2.1]);
+    const found = foundIn([floor, door, window, slit], drawn);
+    expect(found?.doors).toEqual([
+      { id: "door-1", start: [1, 0], end: [1.9, 0], bottom: 0, top: 2.05 },
+    ]);
+    expect(found?.windows).toEqual([
+      { id: "window-1", start: [3.2, 4], end: [2, 4], bottom: 0.9, top: 2.1 },
+    ]);
+    expect(foundIn([door], drawn)).toBeNull(); // without walls there is nothing to put it in
+  });
+
   test("walls, ceilings and labels that nobody knows are no furniture", () => {
     const others = ["wall", "ceiling", "global mesh", "spaceship"].map((label) =>
       solid(label, corners([1, 1, 1], [1, 1, 1], 0)),

@@ -1,5 +1,6 @@
 import { describe, expect, test } from "vitest";
-import type { Action, State, Vector3 } from "../../../web/src/model/state";
+import type { Action } from "../../../web/src/model/actions";
+import type { State, Vector3 } from "../../../web/src/model/state";
 import type { Ray } from "../../../web/src/views/picking";
 import { aimed, heightAt, marked } from "../../../web/src/xr/marking";
 import { begin, box, play } from "../rooms";

@@ -1,8 +1,9 @@
 /** What the server says of the object on its way, and when that no longer counts. */
 import type { Answer, Inspected } from "../net/protocol.gen";
+import type { MapsAction } from "./actions";
 import { onAlternative } from "./placing";
 import { poseAt, resized } from "./resting";
-import type { Connection, MapsAction, Placing, Point, Pose, State } from "./state";
+import type { Connection, Placing, Point, Pose, State } from "./state";
 
 /** The answer to the ask in force; others, and those older than the last, change nothing. */
 export function answered(state: State, answer: Answer): State {

@@ -47,11 +47,11 @@ export function leaveAr(state: State): State {
 export function useFound(state: State): State {
   const { ar, scene } = state;
   if (ar === null || ar.found === null) return state;
-  const { corners, boxes } = ar.found;
+  const { corners, doors, windows, boxes } = ar.found;
   const room =
     corners === null
       ? scene.room
-      : { ...scene.room, corners: anticlockwise(corners), doors: [], windows: [] };
+      : { ...scene.room, corners: anticlockwise(corners), doors, windows };
   const known: SceneRecord = { ...scene, room, boxes };
   const next = edited({ ...idle(state), tool: "select" }, known, true);
   return inQuestion({ ...next, ar: { ...ar, found: null, unchecked: boxes.map(({ id }) => id) } });

@@ -1,5 +1,6 @@
 /** The only thing that makes a new state. */
 import type { SceneRecord } from "../net/protocol.gen";
+import type { Action } from "./actions";
 import { answered, askRefused, inAnotherRoom, inspected, mapped } from "./answers";
 import { carried, changeAr, checkPiece, elsewhere, enterAr, leaveAr, useFound } from "./ar";
 import { confirm, followedUp, stopWaiting } from "./confirming";
@@ -39,7 +40,7 @@ import { connected, graphed, modelled, resumed } from "./received";
 import { withoutBox } from "./scenes";
 import { cycleSelection, select, valid } from "./selecting";
 import { cancel, show, toggleRelation } from "./showing";
-import type { Action, State } from "./state";
+import type { State } from "./state";
 import { chooseModel, matters, relax, weighing, whatMatters } from "./wondering";
 
 /** What happens by itself: the invitation to begin stays. */

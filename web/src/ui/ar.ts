@@ -2,7 +2,7 @@
 import { html, nothing, type TemplateResult } from "lit";
 import { likelyCategories } from "../model/labels";
 import type { Ar } from "../model/state";
-import { foundInWords, markInWords, obstacleInWords } from "./ar_words";
+import { canCapture, foundInWords, markInWords, obstacleInWords } from "./ar_words";
 import { chips } from "./categories";
 import { button, iconButton, section, toolButton } from "./controls";
 import { openJoin } from "./join";
@@ -80,6 +80,11 @@ export function arControls({ state, services, dispatch }: Page, ar: Ar): Templat
       run: () => dispatch({ type: "change-ar", change: { occlusion: !ar.occlusion } }),
     })}
     ${toolButton({ icon: "corner", label: "Line up", run: () => services.ar.lineUp() })}
+    ${
+      canCapture(state)
+        ? toolButton({ icon: "room", label: "Scan", run: () => services.ar.capture() })
+        : nothing
+    }
     ${
       state.scene.boxes.length === 0 || ar.room === "new"
         ? nothing

@@ -110,6 +110,11 @@ export function markInWords(state: State, ar: Ar): string | null {
   }
 }
 
+/** Whether the device can look round the room, and nobody has drawn in it. */
+export function canCapture({ ar, scene }: State): boolean {
+  return ar?.step === "ready" && ar.granted.includes("room-capture") && scene.boxes.length === 0;
+}
+
 /** "12 pieces found" */
 export function foundInWords({ found }: Ar): string {
   return `${counted(found?.boxes.length ?? 0, "piece")} found`;

@@ -1,9 +1,11 @@
 /** The panel of a device that shows no page in front of the room: a sentence, and what to press. */
 import type { ArControls, FloatingContent, PanelButton } from "../contract";
+import type { Action } from "../model/actions";
 import { shownRefusal } from "../model/ghost";
 import { likelyCategories } from "../model/labels";
-import type { Action, Ar, Placing, Point, State } from "../model/state";
-import { arHint, foundInWords } from "./ar_words";
+import type { Ar, Placing, Point, State } from "../model/state";
+import type { Placement } from "../net/protocol.gen";
+import { arHint, canCapture, foundInWords } from "./ar_words";
 import { placeable } from "./categories";
 import { verdictOf } from "./reasons";
 import { ended } from "./words";
@@ -37,7 +39,14 @@ function titleOf(state: State, now: Ar): string {
   const hint = arHint(state, now) ?? "Is this right?";
   const { placing } = state;
   if (placing === null || now.carrying) return hint;
-  return shownRefusal(state) ?? ended(verdictOf(placing)?.sentence ?? hint);
+  const name = chosenPlace(placing)?.name;
+  const sentence = ended(verdictOf(placing)?.sentence ?? hint);
+  return shownRefusal(state) ?? (name ? `${name}: ${sentence}` : sentence);
+}
+
+/** The place on offer that is shown, unless the hand has moved it since. */
+function chosenPlace({ answer, alternative }: Placing): Placement | undefined {
+  return answer?.placements.find(({ rank }) => rank === alternative);
 }
 
 function rowsOf(floating: Floating, now: Ar, end: PanelButton): FloatingContent["rows"] {
@@ -56,7 +65,7 @@ function rowsOf(floating: Floating, now: Ar, end: PanelButton): FloatingContent[
 }
 
 function idle(floating: Floating, end: PanelButton): FloatingContent["rows"] {
-  const { state, dispatch, viewPoint } = floating;
+  const { state, ar, dispatch, viewPoint } = floating;
   const press = pressing(floating);
   const categories = placeable(state.lists.categories).map(
     (category): PanelButton => ({
@@ -74,6 +83,9 @@ function idle(floating: Floating, end: PanelButton): FloatingContent["rows"] {
     [
       press("Mark a thing", { type: "choose-tool", tool: "box" }),
       press("Outline", { type: "choose-tool", tool: "room" }),
+      canCapture(state)
+        ? { label: "Scan", run: () => ar.capture() }
+        : press("Door", { type: "choose-tool", tool: "door" }),
       press("Undo", { type: "undo" }),
       end,
     ],

@@ -1,7 +1,8 @@
 /** What a panel is given: the state, how to change it, and what only the panels need to know. */
 import type { JoinInfo, Services } from "../contract";
+import type { Action } from "../model/actions";
 import type { KnowledgeMarginals } from "../model/knowledge";
-import type { Action, Mode, Point, State, Vector3 } from "../model/state";
+import type { Mode, Point, State, Vector3 } from "../model/state";
 import type { SceneRecord } from "../net/protocol.gen";
 
 export type SheetHeight = "peek" | "half" | "full";

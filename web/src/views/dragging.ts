@@ -1,10 +1,12 @@
 /** What dragging the body of a thing does: boxes, the ghost, doors and windows. Pure; core frame. */
+
+import type { Action } from "../model/actions";
 import { bottomOf, floorPoint, headingOf, movedTo } from "../model/footprints";
 import { add, roundedPoint, type Segment, subtract } from "../model/geometry";
 import { ghostBox } from "../model/ghost";
 import { settled } from "../model/resting";
 import { snapBox } from "../model/snapping";
-import type { Action, Point, State } from "../model/state";
+import type { Point, State } from "../model/state";
 import type { BoxRecord, SceneRecord } from "../net/protocol.gen";
 import { hangs } from "./hanging";
 import { meetLevel, meetWall, pointOn, type Ray } from "./picking";

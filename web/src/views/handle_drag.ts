@@ -1,4 +1,6 @@
 /** What dragging a handle does. Pure; core frame, metres. */
+
+import type { Action } from "../model/actions";
 import { bottomOf, floorPoint, headingOf } from "../model/footprints";
 import {
   add,
@@ -14,7 +16,7 @@ import {
 } from "../model/geometry";
 import { GHOST, ghostBox } from "../model/ghost";
 import { snapPoint } from "../model/snapping";
-import type { Action, Point, State, Vector3 } from "../model/state";
+import type { Point, State, Vector3 } from "../model/state";
 import type { BoxRecord } from "../net/protocol.gen";
 import { HEIGHT_GAP, type Spot } from "./handle_spots";
 import { heightOver, meetLevel, type Ray } from "./picking";

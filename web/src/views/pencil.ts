@@ -1,6 +1,7 @@
+import type { Action } from "../model/actions";
 import { floorPoint } from "../model/footprints";
 import { distance } from "../model/geometry";
-import type { Action, State } from "../model/state";
+import type { State } from "../model/state";
 import { handOnWalls } from "./dragging";
 import { middleOf } from "./outline";
 import { heightOver, meetLevel, type Ray } from "./picking";

@@ -1,4 +1,5 @@
-import type { Action, State } from "../model/state";
+import type { Action } from "../model/actions";
+import type { State } from "../model/state";
 import { cursorOf, isChosen } from "./chosen";
 import { drag } from "./dragging";
 import { type Gesture, gestureAt, spotAt } from "./gesture";

@@ -1,7 +1,8 @@
 import { type Camera, Color, NeutralToneMapping, PCFShadowMap, Scene, WebGLRenderer } from "three";
 import type { Assets, StageView } from "../contract";
+import type { Action } from "../model/actions";
 import type { Segment } from "../model/geometry";
-import type { Action, Point, State, Vector3 } from "../model/state";
+import type { Point, State, Vector3 } from "../model/state";
 import { Cameras } from "./cameras";
 import type { Insets } from "./framing";
 import { addReflections } from "./lights";

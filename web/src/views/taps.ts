@@ -1,5 +1,7 @@
 /** What a tap means: a press that did not move. Core frame. */
-import type { Action, Point, State } from "../model/state";
+
+import type { Action } from "../model/actions";
+import type { Point, State } from "../model/state";
 import { selectionOf } from "./chosen";
 import type { Gesture } from "./gesture";
 import type { Spot } from "./handle_spots";

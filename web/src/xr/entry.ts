@@ -47,6 +47,7 @@ export function createAr(ties: Ties): ArEntry {
     mark: () => view?.mark(),
     lineUp: () => view?.lineUp(),
     turnRound: () => view?.turnRound(),
+    capture: () => view?.capture(),
     viewPoint: () => view?.viewPoint() ?? null,
   };
 }

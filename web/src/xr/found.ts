@@ -10,13 +10,15 @@ import {
   leftOf,
   rounded,
   roundedPoint,
+  scale,
   subtract,
   wrapped,
 } from "../model/geometry";
 import { outlineProblem } from "../model/outlines";
+import type { OpeningKind } from "../model/scenes";
 import type { Found, Point, Vector3 } from "../model/state";
-import { headingFromWall } from "../model/walls";
-import type { BoxRecord, RoomRecord } from "../net/protocol.gen";
+import { headingFromWall, nearestWall, onWall } from "../model/walls";
+import type { BoxRecord, OpeningRecord, RoomRecord } from "../net/protocol.gen";
 
 /** A plane or a mesh: its label in the WebXR registry of semantic labels, and its points. */
 export interface Piece {
@@ -39,6 +41,8 @@ const CATEGORIES: Readonly<Record<string, string>> = {
   table: "Table",
   "wall art": "Picture",
 };
+const NO_WALLS = { corners: null, doors: [], windows: [] } as const;
+const NARROW = 0.2; // metres; what is narrower is no door and no window
 const THIN = 0.04; // metres; the least side of a thing
 const STANDS = 0.15; // metres over the floor below which a thing stands on it
 const UPRIGHT = 0.2; // metres; a flat piece of a greater extent upward is no table top
@@ -57,7 +61,40 @@ export function foundIn(pieces: readonly Piece[], room: RoomRecord): Found | nul
     walls,
   ).filter((one) => !solid.some((other) => isPartOf(one, other)));
   const boxes = [...solid, ...flat].map((box, i) => ({ ...box, id: `box-${i + 1}` }));
-  return boxes.length === 0 && corners === null ? null : { corners, boxes };
+  if (corners === null) return boxes.length === 0 ? null : { ...NO_WALLS, boxes };
+  const doors = openingsOf(pieces, "door", walls);
+  return { corners, doors, windows: openingsOf(pieces, "window", walls), boxes };
+}
+
+/** Doors or windows where flat pieces of that name are nearest to a wall. */
+function openingsOf(
+  pieces: readonly Piece[],
+  label: OpeningKind,
+  room: RoomRecord,
+): readonly OpeningRecord[] {
+  const named = pieces.filter((piece) => piece.flat && piece.label === label);
+  return named.flatMap(({ points }, i) => {
+    const wall = nearestWall(room, middleOf(points));
+    if (wall === undefined) return [];
+    const places = points.map(([x, y]) => dot(subtract([x, y], wall.segment[0]), wall.along));
+    const [from, to] = [Math.min(...places), Math.max(...places)];
+    const heights = points.map(([, , z]) => z);
+    const lowest = Math.min(...heights);
+    const opening = {
+      id: `${label}-${i + 1}`,
+      start: wall.segment[0],
+      end: wall.segment[1],
+      bottom: lowest < STANDS ? 0 : rounded(lowest),
+      top: rounded(Math.max(...heights)),
+    };
+    const fits = to - from >= NARROW && opening.top > opening.bottom;
+    return fits ? [onWall(opening, wall, (from + to) / 2, to - from)] : [];
+  });
+}
+
+function middleOf(points: readonly Vector3[]): Point {
+  const sum = points.reduce<Point>(([x, y], [dx, dy]) => [x + dx, y + dy], [0, 0]);
+  return scale(sum, 1 / points.length);
 }
 
 function isPartOf(one: BoxRecord, whole: BoxRecord): boolean {

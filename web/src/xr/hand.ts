@@ -1,8 +1,10 @@
 /** What fingers and controllers do in the real room, as actions. Rays come in, in the core frame. */
+
+import type { Action } from "../model/actions";
 import { floorPoint, headingOf } from "../model/footprints";
 import { angleOf, distance, subtract, wrapped } from "../model/geometry";
 import { GHOST, ghostBox } from "../model/ghost";
-import type { Action, Point, State } from "../model/state";
+import type { Point, State } from "../model/state";
 import type { BoxRecord } from "../net/protocol.gen";
 import { drag } from "../views/dragging";
 import { type Finger, type Gesture, gestureAt } from "../views/gesture";

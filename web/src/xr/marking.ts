@@ -1,7 +1,9 @@
 /** What pointing and tapping mean while the real room is drawn. Pure; core frame. */
+
+import type { Action } from "../model/actions";
 import { distance } from "../model/geometry";
 import { ghostBox } from "../model/ghost";
-import type { Action, Point, State } from "../model/state";
+import type { Point, State } from "../model/state";
 import type { BoxRecord } from "../net/protocol.gen";
 import { type Dragged, drag, handOnWalls } from "../views/dragging";
 import { meetBox, meetLevel, pointOn, type Ray } from "../views/picking";

@@ -27,9 +27,14 @@ export function sessionInit(overlay: Element): XRSessionInit {
   };
 }
 
+/** Not asked for: a headset that knows planes may let the user look round the room to find them. */
+export const ROOM_CAPTURE = "room-capture";
+
 /** The features that a session has; browsers that do not say have at least what is required. */
 export function grantedFeatures(session: {
   readonly enabledFeatures?: readonly string[] | undefined;
+  readonly initiateRoomCapture?: unknown;
 }): readonly string[] {
-  return session.enabledFeatures ?? REQUIRED;
+  const features = session.enabledFeatures ?? REQUIRED;
+  return session.initiateRoomCapture === undefined ? features : [...features, ROOM_CAPTURE];
 }
