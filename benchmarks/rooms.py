@@ -25,8 +25,8 @@ FURNITURE = (
 )
 """Category, middle on the plan, depth × width × height, heading, height of the middle."""
 
-DOOR = Opening((0.0, 1.5), (0.0, 2.4), 0.0, 2.0)
-WINDOW = Opening((6.0, 1.0), (6.0, 2.4), 0.9, 2.2)
+DOOR = Opening((0.0, 1.5), (0.0, 2.4), 0.0, 2.0, "door")
+WINDOW = Opening((6.0, 1.0), (6.0, 2.4), 0.9, 2.2, "window")
 
 
 def living_room() -> Scene:

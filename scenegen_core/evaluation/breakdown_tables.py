@@ -20,9 +20,12 @@ from scenegen_core.evaluation.names import (
     with_unit,
 )
 from scenegen_core.evaluation.physical import DECLINED, PHYSICAL
+from scenegen_core.evaluation.records import Record
 from scenegen_core.evaluation.report_tables import Judged
 from scenegen_core.evaluation.summary import means
 from scenegen_core.evaluation.tables import Cell, Column, Row, Table, best_of_column, cell
+
+REACH = 0.2  # metres; a possible pose nearer to the truth than that could have been offered
 
 
 def joint_by_category(judged: Judged) -> tuple[Table, ...]:
@@ -75,34 +78,65 @@ def _by_system(judged: Judged, task: Task, measure: str, heading: str) -> Table:
 
 def by_source(judged: Judged) -> tuple[Table, ...]:
     """Each task by source of the rooms, all categories."""
-    return (
-        _by_source(judged, "joint", ("top1", "spread5", "angle"), judged.systems("joint")),
-        _by_source(judged, "position", ("top1", "top5", "spread5"), POSITION_SYSTEMS),
-        _by_source(judged, "orientation", ("angle",), ORIENTATION_SYSTEMS),
+    parts = {
+        source or "unnamed": [one for one in judged.records if one.source == source]
+        for source in judged.sources
+    }
+    titles = {name: title(name) for name in judged.systems("joint")}
+    asked: tuple[tuple[Task, tuple[str, ...], Mapping[str, str]], ...] = (
+        ("joint", ("top1", "spread5", "angle"), titles),
+        ("position", ("top1", "top5", "spread5"), POSITION_SYSTEMS),
+        ("orientation", ("angle",), ORIENTATION_SYSTEMS),
+    )
+    return tuple(
+        _by_part(judged, task, measures, words, parts, f"{task}_by_source", "By source")
+        for task, measures, words in asked
     )
 
 
-def _by_source(
-    judged: Judged, task: Task, measures: Sequence[str], systems: Sequence[str] | Mapping[str, str]
+def by_reach(judged: Judged) -> Table:
+    """The joint task where a possible pose was tried near the truth, and where none was."""
+    near: list[Record] = []
+    far: list[Record] = []
+    for record in judged.records:
+        away = record.errors.get(BOUND, {}).get("joint", {}).get("top1")
+        if away is not None:
+            (near if away <= REACH else far).append(record)
+    parts = {f"within {REACH:g} m ({len(near)})": near, f"further away ({len(far)})": far}
+    parts = {label: part for label, part in parts.items() if part}
+    words = {name: title(name) for name in judged.systems("joint")}
+    measures = ("top1", "spread5", "angle")
+    return _by_part(
+        judged, "joint", measures, words, parts, "joint_by_reach", "By the nearest pose tried"
+    )
+
+
+def _by_part(
+    judged: Judged,
+    task: Task,
+    measures: Sequence[str],
+    words: Mapping[str, str],
+    parts: Mapping[str, Sequence[Record]],
+    name: str,
+    heading: str,
 ) -> Table:
-    words = systems if isinstance(systems, Mapping) else {name: title(name) for name in systems}
-    asked = [name for name in words if name in judged.systems(task)]
-    columns, cells = [], dict[str, list[Cell]]({name: [] for name in asked})
-    for source in judged.sources:
-        part = [record for record in judged.records if record.source == source]
+    """A task, each part of the records beside the others."""
+    asked = [system for system in words if system in judged.systems(task)]
+    columns, cells = [], dict[str, list[Cell]]({system: [] for system in asked})
+    for label, part in parts.items():
         rng = np.random.default_rng(judged.settings.seed)
-        columns += [Column(with_unit(m), UNITS[m], source or "unnamed") for m in measures]
-        for name in asked:
-            rows = [(r.room, e[task]) for r in part if task in (e := r.errors.get(name, {}))]
+        columns += [Column(with_unit(m), UNITS[m], label) for m in measures]
+        for system in asked:
+            rows = [(r.room, e[task]) for r in part if task in (e := r.errors.get(system, {}))]
             found = means(rows, rng=rng) if rows else {}
-            cells[name] += [cell(found, measure) for measure in measures]
+            cells[system] += [cell(found, measure) for measure in measures]
     table = Table(
-        f"{task}_by_source",
-        f"By source: {TASKS[task]}",
+        name,
+        f"{heading}: {TASKS[task]}",
         "",
         "system",
         tuple(columns),
-        tuple(Row(words[name], tuple(row)) for name, row in cells.items()),
+        tuple(Row(words[system], tuple(row)) for system, row in cells.items()),
     )
     return best_of_column(table, [title(BOUND)])
 

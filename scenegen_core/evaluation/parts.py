@@ -98,6 +98,7 @@ def parts_of(judged: Judged, plots: Mapping[str, str]) -> list[Part]:
         Part(
             "sources", "By source", TASK_WORDS["sources"], (), _kept(*breakdowns.by_source(judged))
         ),
+        Part("reach", "Within reach", TASK_WORDS["reach"], (), _kept(breakdowns.by_reach(judged))),
         Part(
             "calibration",
             "Probabilities",

@@ -30,6 +30,11 @@ TASK_WORDS = {
     "yardsticks": "The same tasks by means that know less. The best of the poses tried knows the "
     "truth: it shows what the grid of poses costs.",
     "sources": "Rooms differ: real flats, rooms made by artists, example homes.",
+    "reach": (
+        "No system can be right where no possible pose was tried near the truth: real rooms break "
+        "the hard facts, and boxes are rough. So the task once more, for the objects that could "
+        "have been offered right and for the others."
+    ),
     "facts": "How often the best pose (place and heading both unknown) breaks a fact that no score "
     "should outweigh, measured apart from the rules that keep poses possible. The true places "
     "break some too: real rooms are cramped, and boxes are rough.",

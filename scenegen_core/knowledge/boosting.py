@@ -24,7 +24,7 @@ from scenegen_core.knowledge.splits import (
 from scenegen_core.scene.geometry import Floats, Ints
 
 RATE = 0.05  # share of a Newton step taken
-DAMPING = 15.0  # added to each curvature: steps on little evidence are small
+DAMPING = 8.0  # added to each curvature: steps on little evidence are small
 LEAST = 0.5  # curvature on either side of a split: fewer choices say nothing
 SHARE = 0.3  # of the columns that a tree may look at: spreads what correlated columns say
 CURVE_TREES = 300

@@ -35,7 +35,7 @@ from scenegen_core.scene.model import Category, Point, Symmetry, Vector3
 CELL = 0.1  # metres between positions
 HEADINGS = 16  # of an asymmetric object, a full turn
 WALL_GAP = 0.02  # metres that furniture keeps from the wall it is pushed against (skirting)
-SQUEEZE = 0.01  # metres that a niche may be narrower than what goes in (rounding of outlines)
+SQUEEZE = 0.002  # metres that a niche may be narrower than what goes in (rounding of outlines)
 OVERHANG = 0.15  # metres that an object may stick out over what it stands on
 
 MOUNT_STEP = 1 << 40  # more cells than a grid has: cells of different mounts stay apart

@@ -196,8 +196,13 @@ class Desk:
 
 
 @contextmanager
-def desk_at(browser: Browser, url: str, *, tolerated: str | None = None) -> Iterator[Desk]:
-    """A page on a desktop, greeted and connected; it must complain of nothing but what is told."""
+def desk_at(
+    browser: Browser, url: str, *, tolerated: str | None = None, before: str = ""
+) -> Iterator[Desk]:
+    """A page on a desktop, greeted and connected; it must complain of nothing but what is told.
+
+    ``before`` is a script that runs ahead of the page's own.
+    """
     expect.set_options(timeout=PATIENCE * 1000)
     context = browser.new_context(viewport=SMALL_DESK, reduced_motion="reduce")
     page = context.new_page()
@@ -211,6 +216,7 @@ def desk_at(browser: Browser, url: str, *, tolerated: str | None = None) -> Iter
 
     page.on("console", listen)
     page.on("pageerror", lambda error: complaints.append(str(error)))
+    page.add_init_script(before)
     desk = Desk(page)
     page.goto(url)
     desk.close_greeting()

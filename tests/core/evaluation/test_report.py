@@ -9,10 +9,16 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from msgspec.structs import replace
 
 from scenegen_core.errors import DataError
 from scenegen_core.evaluation.bench import Task
-from scenegen_core.evaluation.breakdown_tables import by_source, emptier_by_category, physical
+from scenegen_core.evaluation.breakdown_tables import (
+    by_reach,
+    by_source,
+    emptier_by_category,
+    physical,
+)
 from scenegen_core.evaluation.calibration_tables import by_category, calibration, reliability
 from scenegen_core.evaluation.comparison_tables import differences, skill, steps
 from scenegen_core.evaluation.drawing import need_drawing
@@ -116,6 +122,17 @@ def test_sources_are_judged_apart(judged: Judged) -> None:
     table = by_source(judged)[0]
     assert value(table, PAPER, "flats best pose, m") == pytest.approx(0.4)
     assert value(table, PAPER, "homes best pose, m") == pytest.approx(1.3)
+
+
+def test_what_could_have_been_offered_right_is_judged_apart(judged: Judged) -> None:
+    records = tuple(
+        replace(one, errors={**one.errors, "oracle": joint_errors(near, near)})
+        for one, near in zip(RECORDS, (0.2, 0.05, 0.21), strict=True)
+    )
+    table = by_reach(Judged(SETTINGS, records, summarize(records, rng=np.random.default_rng(1))))
+    assert value(table, PAPER, "within 0.2 m (2) best pose, m") == pytest.approx(0.5)
+    assert value(table, PAPER, "further away (1) best pose, m") == pytest.approx(2.0)
+    assert by_reach(judged).columns == ()  # where nobody knows the bound nothing is said
 
 
 def test_true_places_are_held_to_the_hard_facts_too(judged: Judged) -> None:

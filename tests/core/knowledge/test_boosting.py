@@ -56,16 +56,16 @@ def one_tree(monkeypatch: pytest.MonkeyPatch) -> None:
 def test_a_step_is_the_gradient_over_the_damped_curvature_on_either_side() -> None:
     """Of two poses each has P = 1/2: gradient ∓1/2, curvature 1/4. Ten choices: ∓5 and 2.5."""
     curve = learn(choices(*([[(LOW,), (HIGH,)]] * 10))).curves[0]
-    assert curve[LOW] == pytest.approx(0.05 * 5 / (2.5 + 15))
-    assert curve[HIGH] == pytest.approx(-0.05 * 5 / (2.5 + 15))
+    assert curve[LOW] == pytest.approx(0.05 * 5 / (2.5 + 8))
+    assert curve[HIGH] == pytest.approx(-0.05 * 5 / (2.5 + 8))
 
 
 @pytest.mark.usefixtures("one_tree")
 def test_a_pose_that_stands_for_three_is_as_likely_as_three() -> None:
     """P = 1/4 and 3/4: gradient ∓3/4, curvature 3/16 each."""
     curve = learn(choices(*([[(LOW,), (HIGH,)]] * 10), stands_for=3)).curves[0]
-    assert curve[LOW] == pytest.approx(0.05 * 7.5 / (1.875 + 15))
-    assert curve[HIGH] == pytest.approx(-0.05 * 7.5 / (1.875 + 15))
+    assert curve[LOW] == pytest.approx(0.05 * 7.5 / (1.875 + 8))
+    assert curve[HIGH] == pytest.approx(-0.05 * 7.5 / (1.875 + 8))
 
 
 @pytest.mark.usefixtures("one_tree")
@@ -102,13 +102,13 @@ def test_a_single_choice_teaches_nothing() -> None:
 def test_a_tree_of_a_pair_steps_in_each_quarter() -> None:
     """Chosen is what is alike in both columns: neither says anything without the other.
 
-    In each quarter ten poses of P = 1/2: gradient ∓5, curvature 2.5, damping 15.
+    In each quarter ten poses of P = 1/2: gradient ∓5, curvature 2.5, damping 8.
     """
     sets = choices(*([[(LOW, LOW), (LOW, HIGH)]] * 10), *([[(HIGH, HIGH), (HIGH, LOW)]] * 10))
     surfaces = np.zeros((1, BINS, BINS))
     state = boosting._Boosting(sets, sets.log_weights, np.random.default_rng(0))
     state.pair_tree(np.array([[0, 1]]), surfaces)
-    step = 0.05 * 5 / (2.5 + 15)
+    step = 0.05 * 5 / (2.5 + 8)
     assert surfaces[0][np.ix_([LOW, HIGH], [LOW, HIGH])] == pytest.approx(
         np.array([[step, -step], [-step, step]])
     )

@@ -12,6 +12,7 @@ from scenegen_core.placement.answer import Cancelled, Query
 from scenegen_core.placement.solve import solve
 from scenegen_core.placement.what_if import what_matters
 from scenegen_core.scene.files import read_scene
+from scenegen_core.scene.resting import taken_out
 from tests.core.placement.drawn import NORTH, room, thing
 
 KNOWLEDGE = default_knowledge()
@@ -29,7 +30,7 @@ def test_it_is_the_box_without_which_the_best_place_is_furthest_away() -> None:
     assert done == list(range(len(LIVING_ROOM.boxes)))
     changes = {}
     for box in LIVING_ROOM.boxes:
-        best = solve(LIVING_ROOM.without(box.id), SOFA, KNOWLEDGE).answer.poses[0]
+        best = solve(taken_out(LIVING_ROOM, box.id), SOFA, KNOWLEDGE).answer.poses[0]
         turned = acos(min(1.0, cos(best.heading - here.heading)))
         moved = round(dist(best.center, here.center) + turned / pi, 9)
         changes[box.id] = (moved, abs(best.score - here.score))
