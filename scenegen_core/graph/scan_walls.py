@@ -36,10 +36,10 @@ def rays_to_walls(poses: Floats, walls: Floats, reach: Floats) -> None:
                 cross = dx * ey - dy * ex
                 where = (px * dy - py * dx) / cross
                 far = (px * ey - py * ex) / cross
-                # a ray into a corner meets both walls; a pose on a wall meets it both ways
+                # a ray into a corner meets both walls
                 meets = (abs(cross) >= PARALLEL) & (where >= -TIE) & (where <= 1 + TIE)
-                forth[n] = min(forth[n], max(far, 0.0) if meets & (far >= -TIE) else math.inf)
-                back[n] = min(back[n], max(-far, 0.0) if meets & (far <= TIE) else math.inf)
+                forth[n] = min(forth[n], far if meets & (far >= 0) else math.inf)
+                back[n] = min(back[n], -far if meets & (far <= 0) else math.inf)
 
 
 @compiled

@@ -55,9 +55,8 @@ def corners(shape: BaseGeometry) -> list[tuple[float, float]]:
 
 def runs(box: Box, direction: float, obstacles: Sequence[BaseGeometry]) -> float:
     """How far the ray from the middle runs to the first obstacle; inf if it meets none."""
-    sight, middle = ray(box, direction), center(box)
-    met = [middle.distance(sight.intersection(o)) for o in obstacles if sight.intersects(o)]
-    met += [0.0 for o in obstacles if isinstance(o, LineString) and middle.distance(o) < TIE]
+    sight = ray(box, direction)
+    met = [center(box).distance(sight.intersection(o)) for o in obstacles if sight.intersects(o)]
     return min(met, default=inf)
 
 
