@@ -65,7 +65,7 @@ BESIDE = 1e-6  # metres
 def scenes(draw: st.DrawFn) -> Scene:
     """Rooms with boxes anywhere, with up to two doors and two windows.
 
-    No box has its middle on a wall or in the middle of the room: on which side of it that lies would
+    No box has its middle on a wall or in the middle of the room: on which side of that it is would
     be decided by rounding.
     """
     scene = draw(unfurnished())
