@@ -52,9 +52,11 @@ test: $(INSTALLED_FOR_TESTS) $(PAGE) browser  ## format, lint, types, unit and b
 	$(BIN)/pytest
 
 .PHONY: bench
-bench: $(INSTALLED_FOR_TESTS)  ## measure how fast places are found; results in benchmarks/results
-	PYTHONPATH=. $(BIN)/python benchmarks/placing.py | tee benchmarks/results/placing.md
-	PYTHONPATH=. $(BIN)/python benchmarks/following.py | tee benchmarks/results/following.md
+bench: $(INSTALLED_FOR_TESTS) $(PAGE) browser  ## measure how fast it is; results in benchmarks/results
+	@for what in placing following dragging serving; do \
+	    PYTHONPATH=. $(BIN)/python benchmarks/$$what.py > benchmarks/results/$$what.md || exit 1; \
+	    cat benchmarks/results/$$what.md; \
+	done
 
 .PHONY: browser
 browser: $(INSTALLED_FOR_TESTS)

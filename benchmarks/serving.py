@@ -27,7 +27,7 @@ from websockets.sync.client import connect
 from websockets.typing import Subprotocol
 
 from scenegen_core.scene.files import SceneRecord
-from server.protocol import MAX_SESSIONS_AN_ADDRESS, SUBPROTOCOL, Answer, Ask, Query
+from server.protocol import MAX_SESSIONS_AN_ADDRESS, SUBPROTOCOL, Answer, Ask, Maps, Query
 from tests.server.driving import Page
 
 ROOT = Path(__file__).parents[1]
@@ -69,8 +69,8 @@ def answers(port: int) -> None:
             sleep(0.005)
 
 
-def opened(port: int, number: int = 0) -> Page:
-    """A page with a furnished room and its first map."""
+def opened(port: int, number: int = 0, *, until: type[Answer | Maps] = Answer) -> Page:
+    """A page with a furnished room and its first answer, or only its map."""
     here = f"127.0.0.{1 + number // MAX_SESSIONS_AN_ADDRESS}"  # so that no address has too many
     page = Page(
         connect(
@@ -83,7 +83,7 @@ def opened(port: int, number: int = 0) -> Page:
     )
     page.open(msgspec.json.decode(ROOM.read_bytes(), type=SceneRecord))
     page.send(Ask(id="sofa", query=QUERY))
-    page.until(Answer)
+    page.until(until)
     return page
 
 
@@ -96,7 +96,7 @@ def starts(runs: int, *, cold: bool) -> tuple[list[float], list[float]]:
         with started() as (_, port, begin):
             answers(port)
             found[0].append(perf_counter() - begin)
-            opened(port).socket.close()
+            opened(port, until=Maps).socket.close()
             found[1].append(perf_counter() - begin)
     return found
 
