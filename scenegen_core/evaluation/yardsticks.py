@@ -10,7 +10,6 @@ import numpy as np
 from scenegen_core.evaluation.bench import Bench, Table
 from scenegen_core.evaluation.retrieval import recall
 from scenegen_core.knowledge.knowledge import Knowledge
-from scenegen_core.placement.proposals import inward
 from scenegen_core.scene.geometry import Floats, directions, wrapped
 
 TURN = 0.1  # metres that a radian counts for, where poses are compared as a whole
@@ -57,7 +56,7 @@ def away_from_wall(bench: Bench, table: Table, _: Knowledge, rng: np.random.Gene
     A footprint reaches other walls as it turns, so each heading is held against every wall.
     """
     situation = table.situation
-    turns = np.abs(wrapped(situation.candidates.headings[:, None] - inward(bench.around.walls)))
+    turns = np.abs(wrapped(situation.candidates.headings[:, None] - bench.around.inward))
     worst = turns + np.abs(situation.wall_gaps)  # a radian counts like a metre
     return np.asarray(-worst.min(axis=1) + TIE * rng.random(len(worst)), dtype=np.float64)
 
@@ -92,7 +91,7 @@ def rules(bench: Bench, table: Table, _: Knowledge, rng: np.random.Generator) ->
     against = situation.wall_gaps.min(axis=1) < AGAINST
     scores = np.where(against == edge, 1.0, 0.0) + RULES_TIE * rng.random(len(against))
     turn = wrapped(
-        situation.candidates.headings - inward(around.walls)[situation.wall_gaps.argmin(axis=1)]
+        situation.candidates.headings - around.inward[situation.wall_gaps.argmin(axis=1)]
     )
     scores += np.where(edge & (np.abs(turn) < SQUARE), BACK_TO_WALL, 0.0)
     members = np.array([box.category == partner for box in around.scene.boxes], dtype=bool)

@@ -20,11 +20,10 @@ from scenegen_core.scene.geometry import (
     Bools,
     Floats,
     Ints,
+    Rectangles,
     gaps,
     left_of,
-    walls_as_rectangles,
 )
-from scenegen_core.scene.model import Opening
 
 SAME_SIZE = 0.1  # share by which twins may differ in each dimension
 SAME_LENGTH = 0.03  # metres by which they may always
@@ -35,14 +34,10 @@ TAKEN = 0.25  # metres; a mirror place this near to a box of the kind is taken
 
 def _walls(situation: Situation) -> Floats:
     """The walls behind, ahead and beside, the nearest, how parallel it is to them."""
-    walls = situation.surroundings.walls
-    run = walls[:, 1] - walls[:, 0]
-    normal = left_of(run)
-    inward = np.arctan2(normal[:, 1], normal[:, 0])
     out = np.empty((len(scan.WALL_PARTS), len(situation.candidates)))
     scan_walls.look_at_walls(
         situation.shapes.columns, situation.candidates.headings, _symmetric(situation),
-        situation.wall_reach, situation.wall_gaps.T, inward, out,
+        situation.wall_reach, situation.wall_gaps.T, situation.surroundings.inward, out,
     )  # fmt: skip
     return out.T
 
@@ -61,32 +56,27 @@ def _free_space(situation: Situation) -> Floats:
 
 def _middle(situation: Situation) -> Floats:
     """Distance to the middle of the room, in units of its size, and where it lies."""
-    x, y = situation.surroundings.walls[:, 0].T
-    cross = x * np.roll(y, -1) - np.roll(x, -1) * y
-    area = cross.sum() / 2
-    middle = np.array([((x + np.roll(x, -1)) * cross).sum(), ((y + np.roll(y, -1)) * cross).sum()])
-    to = middle / (6 * area) - situation.candidates.centers[:, :2]
+    around = situation.surroundings
+    to = around.middle - situation.candidates.centers[:, :2]
     fronts = situation.fronts
     away = np.hypot(*to.T)
     aside, ahead = (to * left_of(fronts)).sum(axis=1), (to * fronts).sum(axis=1)
-    return np.stack([away / np.sqrt(abs(area)), _bearings(situation, aside, ahead)]).T
+    return np.stack([away / np.sqrt(around.area), _bearings(situation, aside, ahead)]).T
 
 
 def _doors(situation: Situation) -> Floats:
     """The nearest door: gap, where it lies, how far aside."""
-    return _openings(situation, situation.surroundings.scene.room.doors)
+    return _openings(situation, situation.surroundings.doors)
 
 
 def _windows(situation: Situation) -> Floats:
     """The nearest window: gap, where it lies, how far aside."""
-    return _openings(situation, situation.surroundings.scene.room.windows)
+    return _openings(situation, situation.surroundings.windows)
 
 
-def _openings(situation: Situation, openings: tuple[Opening, ...]) -> Floats:
-    segments = np.array([(o.start, o.end) for o in openings], dtype=float).reshape(-1, 2, 2)
-    if not len(segments):
+def _openings(situation: Situation, shapes: Rectangles) -> Floats:
+    if not len(shapes):
         return np.full((len(scan.OPENING_PARTS), len(situation.candidates)), np.nan).T
-    shapes = walls_as_rectangles(segments)
     away = gaps(situation.shapes, shapes)
     out = np.empty((len(scan.OPENING_PARTS), len(situation.candidates)))
     beyond = np.empty(len(situation.candidates))
@@ -126,9 +116,7 @@ def _mirror(situation: Situation) -> Floats:
 
 def _size(situation: Situation) -> Floats:
     """The object's own depth, width and height, and the area of the room; the same everywhere."""
-    x, y = situation.surroundings.walls[:, 0].T
-    area = abs((x * np.roll(y, -1) - np.roll(x, -1) * y).sum()) / 2
-    column = np.array([[*situation.candidates.size, area]]).T
+    column = np.array([[*situation.candidates.size, situation.surroundings.area]]).T
     return np.repeat(column, len(situation.candidates), axis=1).T
 
 
@@ -162,13 +150,12 @@ def mirror_places(around: Surroundings, category: str) -> Floats:
 
 def _look_at(situation: Situation, group_of: Ints, groups: int) -> Floats:
     candidates, around = situation.candidates, situation.surroundings
-    fronted = np.array([name not in around.frontless for name in around.categories], dtype=bool)
     parts = len(scan.NEIGHBOR_PARTS)
     out, beyond = np.empty((groups * parts, len(candidates))), np.empty((groups, len(candidates)))
     scan_boxes.look_at_neighbors(
         situation.shapes.columns, candidates.headings, candidates.bottoms, _symmetric(situation),
         around.footprints.rows, situation.gaps.T, around.footprints.headings, around.tops,
-        around.fronts_known & fronted, group_of, groups, out, beyond,
+        around.fronted, group_of, groups, out, beyond,
     )  # fmt: skip
     bearings = out[scan.NEIGHBOR_PARTS.index("bearing") :: parts]
     bearings[:] = _bearings(situation, bearings, beyond)

@@ -33,7 +33,10 @@ class Situation:
 
     def __getitem__(self, index: slice | Ints | Bools) -> Situation:
         """Some of the candidates, among the same surroundings."""
-        return Situation(self.candidates[index], self.surroundings)
+        some = Situation(self.candidates[index], self.surroundings)
+        if "shapes" in self.__dict__:
+            some.__dict__["shapes"] = self.shapes[index]
+        return some
 
     @cached_property
     def shapes(self) -> Rectangles:

@@ -12,9 +12,10 @@ from scenegen_core.scene.geometry import (
     Ints,
     Rectangles,
     footprints,
+    left_of,
     walls_as_rectangles,
 )
-from scenegen_core.scene.model import OTHER, Category, Scene, Symmetry
+from scenegen_core.scene.model import OTHER, Category, Opening, Scene, Symmetry
 
 
 class Surroundings:
@@ -70,6 +71,51 @@ class Surroundings:
         return np.asarray(belongs, dtype=np.float64)
 
     @cached_property
+    def fronted(self) -> Bools:
+        """Which boxes have a front that is known: (m,)."""
+        has_front = np.array([name not in self.frontless for name in self.categories], dtype=bool)
+        return np.asarray(self.fronts_known & has_front, dtype=np.bool_)
+
+    @cached_property
     def wall_shapes(self) -> Rectangles:
         """The walls as rectangles without width."""
         return walls_as_rectangles(self.walls)
+
+    @cached_property
+    def inward(self) -> Floats:
+        """Headings that look from each wall into the room: (l,). Outlines run anticlockwise."""
+        normal = left_of(self.walls[:, 1] - self.walls[:, 0])
+        return np.arctan2(normal[:, 1], normal[:, 0])
+
+    @cached_property
+    def doors(self) -> Rectangles:
+        """The doors as rectangles without width."""
+        return _as_rectangles(self.scene.room.doors)
+
+    @cached_property
+    def windows(self) -> Rectangles:
+        """The windows as rectangles without width."""
+        return _as_rectangles(self.scene.room.windows)
+
+    @cached_property
+    def area(self) -> float:
+        """Of the room, m²."""
+        return float(abs(self._crosses.sum()) / 2)
+
+    @cached_property
+    def middle(self) -> Floats:
+        """The centroid of the room: (2,)."""
+        start, end = self.walls[:, 0], self.walls[:, 1]
+        third = ((start + end) * self._crosses[:, None]).sum(axis=0) / 3
+        return np.asarray(third / self._crosses.sum(), dtype=np.float64)
+
+    @property
+    def _crosses(self) -> Floats:
+        """Twice the area between each wall and the origin: (l,)."""
+        (x0, y0), (x1, y1) = self.walls[:, 0].T, self.walls[:, 1].T
+        return np.asarray(x0 * y1 - x1 * y0, dtype=np.float64)
+
+
+def _as_rectangles(openings: tuple[Opening, ...]) -> Rectangles:
+    segments = [(opening.start, opening.end) for opening in openings]
+    return walls_as_rectangles(np.array(segments, dtype=float).reshape(-1, 2, 2))

@@ -9,7 +9,7 @@ cut into bins by fixed edges, so that a model is plain tables: ``curves[column, 
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from functools import lru_cache
+from functools import cached_property, lru_cache
 from zlib import crc32
 
 import numpy as np
@@ -24,6 +24,8 @@ from scenegen_core.scene.model import Category
 
 Bins = NDArray[np.uint8]
 Table = NDArray[np.float32]
+Cutting = tuple[Floats, Floats, Bins]
+"""Edges, and the cells to start looking from."""
 
 BINS = 36  # of a column, the last for what is not there
 MISSING = BINS - 1
@@ -110,13 +112,17 @@ def _cells(named: tuple[Column, ...]) -> tuple[Floats, Bins]:
 
 def binned(features: Floats, named: tuple[Column, ...]) -> Bins:
     """The bin of every value: (poses, columns)."""
-    return np.ascontiguousarray(_bins(features, named).T)
+    return np.ascontiguousarray(_bins(features, _cutting(named)).T)
 
 
-def _bins(features: Floats, named: tuple[Column, ...]) -> Bins:
+def _cutting(named: tuple[Column, ...]) -> Cutting:
+    return _edges(named), *_cells(named)
+
+
+def _bins(features: Floats, cutting: Cutting) -> Bins:
     """The same, column by column: (columns, poses)."""
     out = np.empty(features.shape[::-1], dtype=np.uint8)
-    _cut(np.ascontiguousarray(features.T), _edges(named), *_cells(named), out)
+    _cut(np.ascontiguousarray(features.T), *cutting, out)
     return out
 
 
@@ -172,9 +178,13 @@ class Choice:
         none = slice(0, 0)
         return replace(self, pairs=self.pairs[none], surfaces=self.surfaces[none])
 
+    @cached_property
+    def _cutting(self) -> Cutting:
+        return _cutting(self.columns)
+
     def score(self, features: Floats) -> Floats:
         """The log of how much likelier each pose is chosen, up to a constant of the room: (n,)."""
-        return self._sum(_bins(features, self.columns))
+        return self._sum(_bins(features, self._cutting))
 
     def score_bins(self, bins: Bins) -> Floats:
         """The same of columns that are cut already."""

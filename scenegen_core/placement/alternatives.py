@@ -24,6 +24,7 @@ TIE = 1e-9  # nats; scores this near to each other are equal
 LIKELIEST = 2000  # cells that expected distances are taken over: all of a room of 20 m²
 LIKELY = 2.0  # nats below the best pose; no less likely may the first offer be
 WORTH_OFFERING = 4.0  # nats below the best pose; what is less likely comes last
+SETTLE = 0.32  # metres that an offer may move to a likelier place; no multiple of a cell
 LAPSE = 0.15  # share of furniture that stands where no pose is tried (docs/model.md)
 
 BLOCKED_ID = "new"
@@ -124,10 +125,15 @@ class _Expected:
             open_ = np.flatnonzero(self._left & (self._below <= limit))
             if len(open_):
                 risk = np.minimum(self._away[open_], self._nearest) @ self._mass
-                found = int(open_[risk.argmin()])
+                found = self._settled(open_, int(open_[risk.argmin()]))
                 self._left[found] = False
                 return int(self._poses[found])
         return None
+
+    def _settled(self, open_: Ints, found: int) -> int:
+        """The likeliest place close to that: an average of places is flush with nothing."""
+        close = open_[self._away[found, open_] <= SETTLE]
+        return int(close[self._below[close].argmin()])
 
     def take(self, pose: int) -> None:
         """What lies near it is served now."""

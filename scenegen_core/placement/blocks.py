@@ -18,10 +18,10 @@ Number = TypeVar("Number", np.float64, np.int64)
 
 
 def in_blocks(
-    work: Callable[[Situation], NDArray[Number]], situation: Situation
+    work: Callable[[Situation], NDArray[Number]], situation: Situation, at_once: int = AT_ONCE
 ) -> NDArray[Number]:
     """What work on a situation gives, one number a pose: (n,). Compiled loops leave the lock."""
-    parts = [situation[i : i + AT_ONCE] for i in range(0, len(situation.candidates), AT_ONCE)]
+    parts = [situation[i : i + at_once] for i in range(0, len(situation.candidates), at_once)]
     if len(parts) <= 1:
         return work(situation)
     with ThreadPoolExecutor(min(len(parts), cpu_count() or 1)) as threads:

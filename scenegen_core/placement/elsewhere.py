@@ -12,7 +12,6 @@ from scenegen_core.graph.wording import LONG, spoken
 from scenegen_core.placement.alternatives import BLOCKED_ID
 from scenegen_core.placement.answer import Elsewhere
 from scenegen_core.placement.feasible import ALLOWED, Space, collisions, verdicts
-from scenegen_core.placement.proposals import inward
 from scenegen_core.placement.walking import Walking
 from scenegen_core.placement.words import compass, sentence
 from scenegen_core.scene.geometry import Floats, Rectangles, gaps, walls_as_rectangles, wrapped
@@ -115,7 +114,7 @@ def in_the_way(rule: str, situation: Situation) -> Thing | None:
     around, room = situation.surroundings, situation.surroundings.scene.room
     if rule == "room":
         wall = int(situation.wall_gaps[0].argmin())
-        side = compass(float(inward(around.walls)[wall]) + pi)
+        side = compass(float(around.inward[wall]) + pi)
         return f"the {side} wall", around.wall_shapes[np.array([wall])]
     if rule == "collision":
         hit = np.flatnonzero(collisions(situation)[0])[:1]

@@ -15,7 +15,7 @@ from scenegen_core.graph.candidates import Candidates
 from scenegen_core.graph.situation import Situation
 from scenegen_core.graph.surroundings import Surroundings
 from scenegen_core.placement.mounts import RUG_HEIGHT, SUPPORTS, Mount, mounts
-from scenegen_core.placement.proposals import inward, stands_on
+from scenegen_core.placement.proposals import stands_on
 from scenegen_core.scene.compiled import all_collisions
 from scenegen_core.scene.geometry import (
     Bools,
@@ -78,7 +78,7 @@ def _clear(around: Surroundings, openings: tuple[Opening, ...], depth: float | N
     middles = segments.mean(axis=1)
     widths = np.hypot(*(segments[:, 1] - segments[:, 0]).T)
     wall = distances_to_segments(middles, around.walls).argmin(axis=1)
-    looks = inward(around.walls)[wall]
+    looks = around.inward[wall]
     depths = np.minimum(widths, DOOR_DEPTH) if depth is None else np.full(len(widths), depth)
     centers = middles + directions(looks) * depths[:, None] / 2
     return Rectangles(centers, np.stack([depths, widths], axis=1) / 2, looks)
@@ -112,7 +112,7 @@ def _floats(situation: Situation, _: Space) -> Bools:
     if Mount.FLOOR in kinds:
         rests |= np.abs(candidates.bottoms) <= RESTS
     if Mount.WALL in kinds:
-        turned = np.abs(wrapped(candidates.headings[:, None] - inward(around.walls)))
+        turned = np.abs(wrapped(candidates.headings[:, None] - around.inward))
         hangs = (situation.wall_gaps <= RESTS) & (turned <= HANGING_TURN)
         rests |= hangs.any(axis=1) & (candidates.bottoms > RESTS)
     if Mount.TOP in kinds:

@@ -27,7 +27,6 @@ from scenegen_core.scene.geometry import (
     Rectangles,
     directions,
     distances_to_segments,
-    left_of,
     within,
 )
 from scenegen_core.scene.model import Category, Point, Symmetry, Vector3
@@ -132,13 +131,6 @@ def nearest_walls(walls: Floats, points: Floats) -> Ints:
     return np.asarray(tied.argmax(axis=1), dtype=np.int64)
 
 
-def inward(walls: Floats) -> Floats:
-    """Headings that look from each wall into the room: (l,). Outlines run anticlockwise."""
-    run = walls[:, 1] - walls[:, 0]
-    normal = left_of(run)
-    return np.arctan2(normal[:, 1], normal[:, 0])
-
-
 def main_direction(walls: Floats) -> float:
     """The heading of the longest wall; grids of headings start from it."""
     run = walls[:, 1] - walls[:, 0]
@@ -161,7 +153,7 @@ def _floor_poses(around: Surroundings, category: Category, size: Vector3) -> Ite
     points = floor_points(around)
     if category.symmetry is Symmetry.INSIDE_FACING:
         nearest = nearest_walls(around.walls, points)
-        yield _raised(points, size[2] / 2), inward(around.walls)[nearest], False
+        yield _raised(points, size[2] / 2), around.inward[nearest], False
     else:
         turns = _headings(around, category, size)
         repeated = np.repeat(points, len(turns), axis=0)
@@ -204,7 +196,7 @@ def _along_walls(
     points, headings = [np.empty((0, 2))], [np.empty(0)]
     off = depth / 2 + gap
     corners = around.footprints.corners
-    for (start, end), heading in zip(around.walls, inward(around.walls), strict=True):
+    for (start, end), heading in zip(around.walls, around.inward, strict=True):
         length = float(np.hypot(*(end - start)))
         margin = min(width / 2 + gap, length / 2)
         if length < width - SQUEEZE:

@@ -24,7 +24,7 @@ from scenegen_core.placement.answer import (
     Pose,
     Query,
 )
-from scenegen_core.placement.blocks import in_blocks
+from scenegen_core.placement.blocks import AT_ONCE, in_blocks
 from scenegen_core.placement.explain import Explainer, reference
 from scenegen_core.placement.feasible import ALLOWED, RULES, Space, verdicts
 from scenegen_core.placement.heat_map import heat_maps, likelihood, scale
@@ -137,7 +137,7 @@ def draw(
     proposals = propose(around, learnt.category, size)
     _keep_going(cancelled)
     situation = Situation(proposals.candidates, around)
-    verdict = in_blocks(partial(verdicts, space=space), situation)
+    verdict = in_blocks(partial(verdicts, space=space), situation, 4 * AT_ONCE)
     _keep_going(cancelled)
     possible = np.flatnonzero(verdict == ALLOWED)
     scores = _scores(model, proposals, possible, around)

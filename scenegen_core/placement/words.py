@@ -10,7 +10,6 @@ import shapely
 from scenegen_core.graph.situation import Situation
 from scenegen_core.graph.wording import metres, spoken
 from scenegen_core.placement.mounts import SUPPORTS
-from scenegen_core.placement.proposals import inward
 from scenegen_core.scene.geometry import TIE, Floats, directions, gaps, walls_as_rectangles
 from scenegen_core.scene.model import Box, Category, Opening, Symmetry
 
@@ -71,14 +70,14 @@ def _place(situation: Situation) -> str:
 def nearest_wall(situation: Situation) -> str:
     """The side of the plan of the wall that is nearest."""
     near = situation.wall_gaps[0]
-    outward = inward(situation.surroundings.walls) + pi
+    outward = situation.surroundings.inward + pi
     return compass(float(outward[(near <= near.min() + TIE).argmax()]))
 
 
 def wall_behind(situation: Situation) -> str:
     """The side of the plan of the wall that it hangs on; empty if none is so close."""
     near = situation.wall_gaps[0]
-    outward = inward(situation.surroundings.walls) + pi
+    outward = situation.surroundings.inward + pi
     behind = np.cos(outward - situation.candidates.headings[0])
     back = np.where(near < AGAINST, behind, np.inf).argmin()
     return compass(float(outward[back])) if near[back] < AGAINST else ""

@@ -35,7 +35,10 @@ class Rectangles:
         return len(self.centers)
 
     def __getitem__(self, index: slice | Ints | Bools) -> Rectangles:
-        return Rectangles(self.centers[index], self.halves[index], self.headings[index])
+        some = Rectangles(self.centers[index], self.halves[index], self.headings[index])
+        if "columns" in self.__dict__:  # known already: sines need not be taken again
+            some.__dict__["columns"] = np.ascontiguousarray(self.columns[:, index])
+        return some
 
     @property
     def axes(self) -> Floats:
@@ -50,7 +53,7 @@ class Rectangles:
             [*self.centers.T, np.cos(self.headings), np.sin(self.headings), *self.halves.T]
         )
 
-    @property
+    @cached_property
     def rows(self) -> Floats:
         """The same, one rectangle after the other: (n, 6)."""
         return np.ascontiguousarray(self.columns.T)

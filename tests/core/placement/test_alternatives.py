@@ -81,6 +81,13 @@ def test_the_first_offer_is_where_the_truth_is_least_far_on_average(
     assert offered(row(FIVE), logs(*masses), 1) == [FIVE[metres.index(min(metres))]]
 
 
+def test_an_offer_settles_on_the_likeliest_place_close_to_the_average() -> None:
+    """Half a metre apart it is the place of the average; a quarter apart, the likelier one."""
+    far, close = ((1.0, 1.5, 2.0, 2.5, 3.0), (1.0, 1.75, 2.0, 2.25, 3.0))
+    assert offered(row(far), logs(4, 5, 6, 7, 4), 1) == [2.0]
+    assert offered(row(close), logs(4, 5, 6, 7, 4), 1) == [2.25]
+
+
 def test_a_share_is_left_for_what_no_pose_comes_near() -> None:
     """Two poses of one cell, one of another, none of a third: 0.85 of theirs, and 0.15 / 2 each."""
     found = probabilities(np.append(logs(2, 1, 1), -np.inf) + 30.0, np.array([7, 7, 9, 4]))
