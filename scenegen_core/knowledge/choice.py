@@ -197,7 +197,7 @@ class Choice:
 
     def terms(self, features: Floats) -> Floats:
         """What every curve, then every surface adds; the sum is the score: (n, curves + pairs)."""
-        return self.terms_of_bins(binned(features, self.columns))
+        return self.terms_of_bins(np.ascontiguousarray(_bins(features, self._cutting).T))
 
     def terms_of_bins(self, bins: Bins) -> Floats:
         """The same of columns that are cut already."""

@@ -12,6 +12,7 @@ from dataclasses import dataclass
 from typing import Protocol
 
 import numpy as np
+from scipy.spatial.distance import cdist
 from scipy.special import softmax
 
 from scenegen_core.placement.proposals import Proposals
@@ -113,7 +114,7 @@ class _Expected:
         self._poses = best[:LIKELIEST]
         self._mass = mass[place[self._poses]]
         points = proposals.candidates.centers[self._poses, :2]
-        self._away = np.hypot(*(points[:, None] - points[None]).transpose(2, 0, 1))
+        self._away: Floats = cdist(points, points)
         self._below = scores.max(initial=-np.inf) - scores[self._poses]
         self._left: Bools = np.ones(len(self._poses), dtype=np.bool_)
         self._nearest: Floats = np.full(len(self._poses), np.inf)
