@@ -31,8 +31,8 @@ FLOOR_ERROR = 0.3  # metres; undersides that near to z = 0 show where a source h
 LEVEL = 0.02  # metres; a floor that near to z = 0 is left as it is
 
 BEHIND = {"robot-at-virtualhome": 0.08}
-"""Source -> how far behind the faces of its walls its outlines run, metres. In Robot@VirtualHome all
-pictures hang 0.1 m from the outline, and what is pushed against a wall stands 0.08 to 0.11 m off."""
+"""Source -> how far behind the faces of its walls its outlines run, metres. In Robot@VirtualHome
+all pictures hang 0.1 m from the outline, and what is pushed against walls is 0.08 to 0.11 m off."""
 
 
 @dataclass(frozen=True, slots=True)
