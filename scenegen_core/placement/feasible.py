@@ -34,8 +34,8 @@ from scenegen_core.scene.resting import RESTS
 ALLOWED = -1
 RULES = ("room", "mount", "collision", "door", "window", "path")
 
-SINK = 0.005  # metres that a footprint may pass into a wall (rounding of outlines)
-PRESS = 0.002  # metres that two things may press into each other (rounding of boxes)
+SINK = 0.002  # metres that a footprint may pass into a wall (rounding of outlines)
+PRESS = 0.001  # metres that two things may press into each other (rounding of boxes)
 LAYER = 0.01  # metres of common height below which two things do not meet
 TUCK = 0.45  # metres that a chair goes under a table, all but its back
 SEAT_ROOM = 0.6  # metres; under lower things, as coffee tables, no seat goes
