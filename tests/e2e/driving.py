@@ -25,6 +25,7 @@ SMALL_DESK: ViewportSize = {"width": 960, "height": 600}  # few pixels to draw, 
 STEP = 0.05  # metres that an arrow moves a thing
 FINE = 0.01  # metres, with Shift
 T = TypeVar("T")
+QUIET = 150  # milliseconds; the page asks of a new place sooner
 SAVED = "() => JSON.parse(localStorage.getItem('scenegen.scene'))"
 
 Record = dict[str, Any]
@@ -122,8 +123,12 @@ class Desk:
         return found
 
     def verdict(self) -> Record:
-        """What the server says of where the ghost stands now."""
-        return self.wait_for(self._verdict, lambda one: one is not None) or {}
+        """What the server says of where the ghost stands now: nothing else is asked after it."""
+        while True:
+            told = self.wait_for(self._verdict, lambda one: one is not None) or {}
+            self.page.wait_for_timeout(QUIET)
+            if told == self._verdict():
+                return told
 
     def _verdict(self) -> Record | None:
         asked, told = self.last_sent("inspect"), self.last_heard("inspected")
