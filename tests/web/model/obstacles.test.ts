@@ -1,5 +1,7 @@
 import { describe, expect, test } from "vitest";
 import { obstacleOf } from "../../../web/src/model/obstacles";
+import { poseAt, settled } from "../../../web/src/model/resting";
+import type { Pose } from "../../../web/src/model/state";
 import type { BoxRecord, SceneRecord } from "../../../web/src/net/protocol.gen";
 import { box, room } from "../rooms";
 
@@ -80,6 +82,29 @@ describe("what carries things", () => {
     expect(kindOf(furnished(), { ...picture, center: [2.5, 3.8, 1.5] })).toBe("hold");
     const turned = { ...picture, center: [2.5, 3.85, 1.5], heading: 0.3 - Math.PI / 2 } as const;
     expect(kindOf(furnished(), turned)).toBe("hold");
+  });
+
+  test("a shallow cupboard stands or hangs, a deep one stands", () => {
+    const hung = box("c", {
+      category: "Storage",
+      center: [2.5, 3.82, 1.8],
+      size: [0.35, 0.8, 0.7],
+      heading: -Math.PI / 2,
+    });
+    expect(kindOf(furnished(), hung)).toBeUndefined();
+    expect(kindOf(furnished(), { ...hung, center: [1.5, 2, 0.35] })).toBeUndefined();
+    const deep = { ...hung, center: [2.5, 3.7, 1.8], size: [0.6, 0.8, 0.7] } as const;
+    expect(kindOf(furnished(), deep)).toBe("hold");
+  });
+
+  test("a cupboard that is put down stands; one that hangs stays up along its wall", () => {
+    const size = [0.35, 0.8, 0.7] as const;
+    const at = (z: number): Pose => ({ center: [2.5, 3.82, z], heading: -Math.PI / 2 });
+    expect(settled(furnished(), "Storage", size, at(0.35)).center[2]).toBeCloseTo(0.35, 9);
+    expect(settled(furnished(), "Storage", size, at(1.8)).center[2]).toBeCloseTo(1.8, 9);
+    const away = { center: [2.5, 2, 1.8], heading: 0 } as const;
+    expect(settled(furnished(), "Storage", size, away).center[2]).toBeCloseTo(0.35, 9);
+    expect(poseAt(furnished(), "Storage", size, [2.5, 3.8]).center[2]).toBeCloseTo(0.35, 9);
   });
 
   test("a TV stands on a sideboard, not beside it on the floor", () => {

@@ -17,7 +17,10 @@ import {
 import type { Point, Pose, Vector3 } from "./state";
 import { nearestWall, type Wall, wallsOf } from "./walls";
 
-/** The usual height of the middle of what hangs, metres; HANGING_HEIGHT of scenegen_core. */
+/**
+ * The usual height of the middle of what hangs, metres; HANGING_HEIGHT of scenegen_core. Storage
+ * put down by hand stands, and hangs only where it was offered a place on a wall.
+ */
 const HANGING_HEIGHT: Readonly<Record<string, number>> = { Picture: 1.5, TV: 1.1 };
 /** What may carry other things, and how high that may be, metres. */
 const CARRIERS: readonly string[] = ["Storage", "Table"];
@@ -36,6 +39,9 @@ const TOP_HEIGHT = 0.6;
 /** A taller TV has a foot of its own; a deeper one cannot hang, metres. */
 const FLOOR_TV = 1.0;
 const HANGING_DEPTH = 0.35;
+/** Deeper or taller storage cannot hang, metres. */
+const CABINET_DEPTH = 0.45;
+const CABINET_HEIGHT = 1.1;
 
 type Mount = "floor" | "wall" | "top";
 
@@ -45,6 +51,9 @@ function mounts(category: string, [depth, , height]: Vector3): readonly Mount[] 
   if (category === "TV") {
     if (height > FLOOR_TV) return ["floor"];
     return depth <= HANGING_DEPTH ? ["top", "wall"] : ["top"];
+  }
+  if (category === "Storage" && depth <= CABINET_DEPTH && height <= CABINET_HEIGHT) {
+    return ["floor", "wall"];
   }
   if (category === "Decor" && height > FLAT && height <= TOP_HEIGHT) return ["top", "floor"];
   return ["floor"];
@@ -71,12 +80,12 @@ export function settled(scene: SceneRecord, category: string, size: Vector3, pos
   const [x, y, z] = pose.center;
   const ground = groundAt(scene, category, size, [x, y]);
   const standing = ground + size[2] / 2;
-  const hangs = hangingHeight(category, size);
-  if (hangs === undefined || !isByWall(scene, size, pose)) {
+  if (!mounts(category, size).includes("wall") || !isByWall(scene, size, pose)) {
     return { ...pose, center: [x, y, standing] };
   }
   const fromFloor = ground === 0 && z - standing <= RESTS;
-  return { ...pose, center: [x, y, fromFloor ? Math.max(hangs, standing) : Math.max(z, standing)] };
+  const height = fromFloor ? (hangingHeight(category, size) ?? standing) : z;
+  return { ...pose, center: [x, y, Math.max(height, standing)] };
 }
 
 /** Whether something that can carry it is under a box, or a wall behind what hangs. */
