@@ -29,7 +29,8 @@ def chances(found: Answer, *, expects: bool) -> Chances:
     truth = np.array([found.bench.case.box.center], dtype=float)
     logs = found.scores - logsumexp(found.scores)
     if expects:
-        logs = np.log(probabilities(found.scores, cells), where=np.isfinite(logs), out=logs)
+        _, place = np.unique(cells, return_inverse=True)
+        logs = np.log(probabilities(found.scores, place), where=np.isfinite(logs), out=logs)
     offered = centers[found.picks.spread, :2]
     within = _distances(centers[:, :2], offered) <= NEAR
     nearest = possible[_distances(centers[possible], truth).argmin()]

@@ -109,7 +109,7 @@ class _Expected:
     def __init__(self, proposals: Proposals, scores: Floats) -> None:
         best = best_of_places(proposals, scores)
         _, place = np.unique(proposals.places, return_inverse=True)
-        mass = np.bincount(place, probabilities(scores, proposals.places))
+        mass = np.bincount(place, probabilities(scores, place))
         best = best[np.argsort(-mass[place[best]], kind="stable")]
         self._poses = best[:LIKELIEST]
         self._mass = mass[place[self._poses]]
@@ -143,19 +143,18 @@ class _Expected:
         self._left &= away >= APART
 
 
-def probabilities(scores: Floats, places: Ints) -> Floats:
+def probabilities(scores: Floats, place: Ints) -> Floats:
     """How likely each pose is chosen, given log-probabilities (−∞ where impossible): (n,), sum 1.
 
-    People put some things where no pose is tried: for those every place is as likely as another.
+    People put some things where no pose is tried: for those every possible ``place``, (n,) small
+    numbers, is as likely as another.
     """
     possible = np.isfinite(scores)
     if not possible.any():
         return np.zeros(len(scores))
-    chosen = softmax(scores)
-    _, place, poses = np.unique(places[possible], return_inverse=True, return_counts=True)
-    chosen *= 1 - LAPSE
-    chosen[possible] += LAPSE / len(poses) / poses[place]
-    return np.asarray(chosen, dtype=np.float64)
+    poses = np.bincount(place[possible], minlength=place.max() + 1)
+    lapsed = np.where(possible, 1 / np.maximum(poses[place], 1), 0.0) / np.count_nonzero(poses)
+    return np.asarray((1 - LAPSE) * softmax(scores) + LAPSE * lapsed, dtype=np.float64)
 
 
 def best_of_places(proposals: Proposals, scores: Floats) -> Ints:
