@@ -128,16 +128,17 @@ class Engine:
         Work that was told to stop and has not yet keeps newer work of its kind waiting: one
         session in a hurry cannot take all threads.
         """
+        waiting = ((session, kind) for session, jobs in self._waiting.items() for kind in jobs)
+        ready = [one for one in waiting if one not in self._busy]
+        urgent = [(session, kind) for session, kind in ready if kind in URGENT]
         slow = sum(kind not in URGENT for _, kind in self._busy)
         may_be_slow = slow < max(self._workers - 1, 1)
-        for urgent in (True, False) if may_be_slow else (True,):
-            for session, jobs in self._waiting.items():
-                for kind in jobs:
-                    if (kind in URGENT) == urgent and (session, kind) not in self._busy:
-                        del self._waiting[session]
-                        self._waiting[session] = jobs
-                        return jobs.pop(kind)
-        return None
+        found = next(iter(urgent or (ready if may_be_slow else ())), None)
+        if found is None:
+            return None
+        session, kind = found
+        self._waiting[session] = jobs = self._waiting.pop(session)
+        return jobs.pop(kind)
 
     async def _finish(self, job: Job) -> None:
         then = await asyncio.get_running_loop().run_in_executor(self._pool, job.run)
