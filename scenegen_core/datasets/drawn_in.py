@@ -24,9 +24,9 @@ def drawn_in(scene: Scene, by: float) -> Scene:
     def on_wall(opening: Opening) -> Opening:
         middle = np.mean([opening.start, opening.end], axis=0)[None]
         wall = inner[distances_to_segments(middle, walls)[0].argmin()]
-        ends = (_nearest(np.array(end, dtype=float), wall) for end in (opening.start, opening.end))
-        start, end = ends
-        return replace(opening, start=start, end=end)
+        return replace(
+            opening, start=_nearest(opening.start, wall), end=_nearest(opening.end, wall)
+        )
 
     room = replace(
         scene.room,
@@ -49,7 +49,7 @@ def _corner(moved: Floats, along: Floats, i: int) -> Floats:
     return np.asarray(start + far * two, dtype=np.float64)
 
 
-def _nearest(point: Floats, wall: Floats) -> Point:
+def _nearest(point: Point, wall: Floats) -> Point:
     """The point of a wall nearest to a point."""
     run = wall[1] - wall[0]
     share = float(np.clip((point - wall[0]) @ run / (run @ run), 0, 1))
