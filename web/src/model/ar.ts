@@ -5,6 +5,9 @@ import { anticlockwise } from "./outlines";
 import { withoutBox } from "./scenes";
 import type { Ar, State } from "./state";
 
+/** Of a headset that knows planes: it may let the user look round the room to find them. */
+export const ROOM_CAPTURE = "room-capture";
+
 export function enterAr(state: State, room: Ar["room"], granted: readonly string[]): State {
   const ar: Ar = {
     step: "floor",

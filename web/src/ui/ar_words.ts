@@ -1,4 +1,5 @@
 /** What is said and asked while the room is seen through the camera. */
+import { ROOM_CAPTURE } from "../model/ar";
 import type { Ar, ArSupport, Draft, State } from "../model/state";
 import { counted, inSentence } from "./words";
 
@@ -112,7 +113,7 @@ export function markInWords(state: State, ar: Ar): string | null {
 
 /** Whether the device can look round the room, and nobody has drawn in it. */
 export function canCapture({ ar, scene }: State): boolean {
-  return ar?.step === "ready" && ar.granted.includes("room-capture") && scene.boxes.length === 0;
+  return ar?.step === "ready" && ar.granted.includes(ROOM_CAPTURE) && scene.boxes.length === 0;
 }
 
 /** "12 pieces found" */

@@ -4,7 +4,7 @@ import type { Action } from "../model/actions";
 import type { Segment } from "../model/geometry";
 import type { Point, State, Vector3 } from "../model/state";
 import { Cameras } from "./cameras";
-import type { Insets } from "./framing";
+import { insetsOf } from "./covered";
 import { addReflections } from "./lights";
 import type { Pad } from "./pad";
 import { DAY, DUSK, type Look } from "./palette";
@@ -291,17 +291,4 @@ function createRenderer(): WebGLRenderer {
   renderer.shadowMap.type = PCFShadowMap;
   renderer.shadowMap.autoUpdate = false;
   return renderer;
-}
-
-/** What the panels cover, as they say on the root element. */
-function insetsOf(root: HTMLElement): Insets {
-  const style = getComputedStyle(root);
-  const pixels = (side: string) =>
-    Number.parseFloat(style.getPropertyValue(`--inset-${side}`)) || 0;
-  return {
-    left: pixels("left"),
-    right: pixels("right"),
-    top: pixels("top"),
-    bottom: pixels("bottom"),
-  };
 }

@@ -18,7 +18,7 @@ import { KnownRoom } from "./known_room";
 import { pointAt } from "./marking";
 import { rayOf } from "./rays";
 import { RealThings } from "./real_things";
-import { grantedFeatures, ROOM_CAPTURE } from "./session_init";
+import { grantedFeatures } from "./session_init";
 import { SettingUp } from "./setting_up";
 
 const FIRST_STEP = 1 / 60; // seconds, before the first frame
@@ -128,14 +128,8 @@ export class ArView {
     this.#place?.setUp.turnRound();
   }
 
-  /** Leaves the picture to the device until it has seen the room; it does so once a session. */
   capture(): void {
-    const told = (): void => {
-      const text = "The device could not look round the room. Outline it yourself.";
-      this.#ties.store.dispatch({ type: "notify", tone: "problem", text });
-    };
-    this.#session.initiateRoomCapture?.().catch(told);
-    this.#change({ granted: this.#state.ar?.granted.filter((one) => one !== ROOM_CAPTURE) ?? [] });
+    this.#place?.setUp.capture(this.#session);
   }
 
   /** What is needed where the page is not seen: a panel in the room, and a beam to press with. */

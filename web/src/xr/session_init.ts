@@ -1,4 +1,5 @@
 /** What is asked of the browser to show things in the real room. Pure. */
+import { ROOM_CAPTURE } from "../model/ar";
 
 /** Without these nothing can be put anywhere. */
 export const REQUIRED = ["hit-test", "local-floor"] as const;
@@ -26,9 +27,6 @@ export function sessionInit(overlay: Element): XRSessionInit {
     },
   };
 }
-
-/** Not asked for: a headset that knows planes may let the user look round the room to find them. */
-export const ROOM_CAPTURE = "room-capture";
 
 /** The features that a session has; browsers that do not say have at least what is required. */
 export function grantedFeatures(session: {

@@ -1,3 +1,4 @@
+import { ROOM_CAPTURE } from "../model/ar";
 import { distance } from "../model/geometry";
 import type { Ar, Point, State } from "../model/state";
 import type { Store } from "../store";
@@ -89,6 +90,17 @@ export class SettingUp {
       dispatch({ type: "draw-down", at, free: true });
       dispatch({ type: "draw-up", at, free: true });
     }
+  }
+
+  /** Leaves the picture to the device until it has seen the room; it does so once a session. */
+  capture(session: XRSession): void {
+    const { ar } = this.#store.getState();
+    const granted = ar?.granted.filter((feature) => feature !== ROOM_CAPTURE) ?? [];
+    this.#change({ granted });
+    session.initiateRoomCapture?.().catch(() => {
+      const text = "The device could not look round the room. Outline it yourself.";
+      this.#store.dispatch({ type: "notify", tone: "problem", text });
+    });
   }
 
   #change(change: Partial<Ar>): void {
