@@ -28,7 +28,7 @@ def taken_out(scene: Scene, box_id: str) -> Scene:
 def carried(scene: Scene, carrier: Box) -> tuple[Box, ...]:
     """What a box carries: what the source says, what stands on it, and what lies in it.
 
-    A cushion lies on the seat, below the top of the back: its underside is off the floor, over the
+    What stands on a rug stands on the floor: nobody takes the sofa out with its rug. A cushion lies on the seat, below the top of the back: its underside is off the floor, over the
     footprint, and on top of nothing else.
     """
     return tuple(
@@ -40,7 +40,8 @@ def carried(scene: Scene, carrier: Box) -> tuple[Box, ...]:
 
 
 def _stands_on(box: Box, carrier: Box) -> bool:
-    return box.category != HANGS and abs(box.bottom - carrier.top) <= RESTS and _over(box, carrier)
+    on_top = box.bottom > RESTS and abs(box.bottom - carrier.top) <= RESTS
+    return on_top and box.category != HANGS and _over(box, carrier)
 
 
 def _lies_in(box: Box, carrier: Box, scene: Scene) -> bool:

@@ -47,6 +47,11 @@ def test_what_a_source_says_counts_wherever_it_is() -> None:
     assert [box.id for box in carried(room(TABLE, rug), TABLE)] == ["rug"]
 
 
+def test_what_stands_on_a_rug_stands_on_the_floor() -> None:
+    rug = thing("Decor", 4.0, 2.0, (2.0, 2.0, 0.02), box_id="rug")
+    assert carried(room(rug, TABLE, CHAIR), rug) == ()
+
+
 def test_two_things_that_carry_each_other_both_go() -> None:
     ones = (replace(TABLE, parent="vase"), replace(VASE, parent="table"))
     assert left(taken_out(room(*ones), "table")) == set()
