@@ -2,7 +2,7 @@
 import type { SceneRecord } from "../net/protocol.gen";
 import { edited } from "./history";
 import { anticlockwise } from "./outlines";
-import { withoutBox } from "./scenes";
+import { withoutBoxes } from "./scenes";
 import type { Ar, State } from "./state";
 
 /** Of a headset that knows planes: it may let the user look round the room to find them. */
@@ -65,7 +65,7 @@ export function checkPiece(state: State, keep: boolean): State {
   const { ar, scene } = state;
   const [id, ...unchecked] = ar?.unchecked ?? [];
   if (ar === null || id === undefined) return state;
-  const after = keep ? state : edited(state, withoutBox(scene, id), true);
+  const after = keep ? state : edited(state, withoutBoxes(scene, [id]), true);
   return inQuestion({ ...after, ar: { ...ar, unchecked } });
 }
 

@@ -5,10 +5,11 @@ import {
   type OpeningRecord,
   type RoomRecord,
 } from "../net/protocol.gen";
+import { loadOf, taken } from "./carrying";
 import { floorPoint, headingOf, movedTo } from "./footprints";
 import { add, direction, leftOf, roundedPoint, scale, wrapped } from "./geometry";
 import { edited } from "./history";
-import { refused } from "./notices";
+import { notified, refused } from "./notices";
 import { outlineProblem } from "./outlines";
 import {
   boxOf,
@@ -16,8 +17,9 @@ import {
   type OpeningKind,
   openingsOf,
   withBox,
+  withBoxes,
   withOpening,
-  withoutBox,
+  withoutBoxes,
   withoutOpening,
 } from "./scenes";
 import type { Point, State } from "./state";
@@ -31,7 +33,17 @@ export function editBox(state: State, box: BoxRecord, done: boolean): State {
   if (old === undefined && state.scene.boxes.length >= MAX_BOXES) {
     return refused(state, `A room holds ${MAX_BOXES} things at most. Remove some first.`);
   }
-  return edited(state, withBox(state.scene, old === undefined ? box : seen(old, box)), done);
+  const scene = withBox(state.scene, old === undefined ? box : seen(old, box));
+  return edited(state, withBoxes(scene, along(state, box)), done);
+}
+
+/** What a box carried when it was last at rest, as it is now that the box is another. */
+function along({ scene, beforeDrag }: State, box: BoxRecord): readonly BoxRecord[] {
+  const rest = beforeDrag ?? scene;
+  const from = boxOf(rest, box.id);
+  if (from === undefined) return [];
+  const load = loadOf(rest, from).filter(({ id }) => boxOf(scene, id) !== undefined);
+  return taken(load, from, box);
 }
 
 /** Who turns a thing where it stands has seen its front: it is no guess from the wall any more. */
@@ -109,7 +121,7 @@ export function deleteSelected(state: State): State {
   if (selection === null) return state;
   switch (selection.kind) {
     case "box":
-      return edited(state, withoutBox(scene, selection.id), true);
+      return removeBox(state, selection.id);
     case "door":
     case "window": {
       const room = withoutOpening(scene.room, selection.kind, selection.id);
@@ -118,6 +130,17 @@ export function deleteSelected(state: State): State {
     case "corner":
       return deleteCorner(state, selection.index);
   }
+}
+
+/** The box gone, and what stands on it with it. */
+export function removeBox(state: State, id: string): State {
+  const box = boxOf(state.scene, id);
+  if (box === undefined) return state;
+  const load = loadOf(state.scene, box).map((other) => other.id);
+  const next = edited(state, withoutBoxes(state.scene, [id, ...load]), true);
+  if (load.length === 0) return next;
+  const what = load.length === 1 ? "What stood on it is" : `The ${load.length} things on it are`;
+  return notified(next, "info", `${what} gone too. Undo brings all back.`);
 }
 
 /** The selected box once more, beside it; the copy is selected. */

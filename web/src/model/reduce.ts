@@ -23,6 +23,7 @@ import {
   editRoom,
   moveCorner,
   nudge,
+  removeBox,
   turn,
 } from "./editing";
 import { edited, redo, undo } from "./history";
@@ -37,7 +38,6 @@ import {
   turnGhost,
 } from "./placing";
 import { connected, graphed, modelled, resumed } from "./received";
-import { withoutBox } from "./scenes";
 import { cycleSelection, select, valid } from "./selecting";
 import { cancel, show, toggleRelation } from "./showing";
 import type { State } from "./state";
@@ -87,7 +87,7 @@ function changed(state: State, action: Action): State {
     case "turn":
       return state.placing === null ? turn(state, action.by) : turnGhost(state, action.by);
     case "remove-box":
-      return edited(state, withoutBox(state.scene, action.id), true);
+      return removeBox(state, action.id);
     case "delete-selected":
       return deleteSelected(state);
     case "duplicate-selected":

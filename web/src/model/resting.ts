@@ -29,7 +29,7 @@ const REACHABLE_TOP = 1.4;
 const ON_WALL = 0.25;
 /** What follows are the rules of scenegen_core/placement/mounts.py and feasible.py. */
 /** Undersides this near to what carries them rest on it, metres. */
-const RESTS = 0.05;
+export const RESTS = 0.05;
 /** What hangs may be turned this far from its wall, radians. */
 const HANGING_TURN = Math.PI / 16;
 /** A thing may stick out this far over what it stands on, metres. */

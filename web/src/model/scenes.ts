@@ -16,8 +16,13 @@ export function withBox(scene: SceneRecord, box: BoxRecord): SceneRecord {
   return { ...scene, boxes: replaced(scene.boxes, box) };
 }
 
-export function withoutBox(scene: SceneRecord, id: string): SceneRecord {
-  return { ...scene, boxes: scene.boxes.filter((box) => box.id !== id) };
+/** The scene with boxes put in the place of those with the same ids. */
+export function withBoxes(scene: SceneRecord, boxes: readonly BoxRecord[]): SceneRecord {
+  return boxes.reduce(withBox, scene);
+}
+
+export function withoutBoxes(scene: SceneRecord, ids: readonly string[]): SceneRecord {
+  return { ...scene, boxes: scene.boxes.filter(({ id }) => !ids.includes(id)) };
 }
 
 /** The room with the door or window added, or put in the place of the one with the same id. */
