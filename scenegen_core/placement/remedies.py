@@ -15,6 +15,7 @@ from scenegen_core.placement.feasible import ALLOWED, Space, verdicts
 from scenegen_core.placement.proposals import propose
 from scenegen_core.placement.solve import solve
 from scenegen_core.scene.model import Scene, Vector3
+from scenegen_core.scene.resting import taken_out
 
 NOWHERE: Vector3 = (0.0, 0.0, 0.0)  # until the place is known
 SHARES = (0.95, 0.9, 0.85, 0.8, 0.75, 0.7)  # of depth and width; smaller is another piece
@@ -42,7 +43,7 @@ def find_remedy(
     for change in (*_sizes(size), *_boxes(scene), *_rules(asked)):
         if cancelled():
             raise Cancelled
-        without = scene if change.box is None else scene.without(change.box)
+        without = scene if change.box is None else taken_out(scene, change.box)
         rules = asked.relaxed if change.rule is None else (*asked.relaxed, change.rule)
         changed = replace(asked, size=change.size or size, relaxed=rules)
         if not _may_fit(without, changed, knowledge):
