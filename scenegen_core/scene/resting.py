@@ -28,8 +28,9 @@ def taken_out(scene: Scene, box_id: str) -> Scene:
 def carried(scene: Scene, carrier: Box) -> tuple[Box, ...]:
     """What a box carries: what the source says, what stands on it, and what lies in it.
 
-    What stands on a rug stands on the floor: nobody takes the sofa out with its rug. A cushion lies on the seat, below the top of the back: its underside is off the floor, over the
-    footprint, and on top of nothing else.
+    What stands on a rug stands on the floor: nobody takes the sofa out with its rug. A cushion lies
+    on the seat, below the top of the back: its underside is off the floor, over the footprint, and
+    on top of nothing else.
     """
     return tuple(
         box
