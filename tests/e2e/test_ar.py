@@ -639,9 +639,23 @@ def test_a_headset_that_shows_no_page_has_a_panel_in_the_room(
         found = headset.wait_for_saved(lambda scene: len(scene["boxes"]) == 4)
         assert found["room"]["corners"] != [[0, 0], [5, 0], [5, 4], [0, 4]]
         for _ in range(4):
-            headset.pull(panel_place(headset, 0.25, 0.62))
+            headset.pull(panel_place(headset, 0.25, 0.82))
         headset.pull(panel_place(headset, 0.4, 0.4))
         headset.answer()
+        rows = (0.376, 0.6, 0.824)
+        width, two, one, zero = (0.5, rows[1]), (0.307, rows[0]), (0.114, rows[0]), (0.886, rows[1])
+        for key in (width, two, one, zero):
+            headset.pull(panel_place(headset, *key))
+            headset.rest(2)
+        take_picture(headset.page, "ar-headset-keypad")
+        okay, place_it = (0.822, rows[2]), (0.178, rows[2])
+        headset.pull(panel_place(headset, *okay))
+        headset.answer()
+        headset.rest(10)
+        take_picture(headset.page, "ar-headset-places")
+        headset.pull(panel_place(headset, *place_it))
+        placed = headset.wait_for_saved(lambda scene: len(scene["boxes"]) == 5)
+        assert placed["boxes"][-1]["size"][1] == 2.1
 
 
 def panel_place(headset: Phone, across: float, down: float) -> tuple[float, float, float]:

@@ -37,7 +37,12 @@ test("no row has more than five buttons, and there are no more than three rows",
   const states = [begin(), begin([box("a")])].map(inAr);
   const placing = states.map((state) => panel(state, "Sofa").state);
   const marking = states.map((state) => panel(state, "Mark a thing").state);
-  for (const state of [...states, ...placing, ...marking]) {
+  const selected = play(inAr(begin([box("a")])), {
+    type: "select",
+    selection: { kind: "box", id: "a" },
+  });
+  const typing = panel(selected, "Depth 80").state;
+  for (const state of [...states, ...placing, ...marking, selected, typing]) {
     const { rows } = floating({ state, ar: NO_AR, dispatch: () => {}, viewPoint: () => [0, 0] });
     expect(rows.length).toBeLessThanOrEqual(3);
     for (const row of rows) expect(row.length).toBeLessThanOrEqual(5);
@@ -61,6 +66,14 @@ test("a sofa is placed on the second of the places, with its name and reason as 
   expect(placed.scene.boxes[0]?.center).toEqual([4, 3, 0.4]);
 });
 
+test("a name that the sentence says already is not said twice", () => {
+  const asked = panel(inAr(begin()), "Sofa").state;
+  const place = placement(1, { name: "facing east", sentence: "By the wall, facing east" });
+  const reply = answer(asked.placing?.ask ?? "", 1, { placements: [place] });
+  const told = play(asked, { type: "answer", answer: reply });
+  expect(panel(told).title).toBe("By the wall, facing east.");
+});
+
 test("what goes wrong is said until it was read", () => {
   const wrong = play(inAr(begin()), { type: "notify", tone: "problem", text: "Too thin." });
   expect(panel(wrong)).toMatchObject({ title: "Too thin.", labels: ["OK"] });
@@ -80,6 +93,57 @@ test("a device that can look round the room is asked to while nothing is marked 
 test("doors are put in from the panel too", () => {
   expect(panel(inAr(begin()), "Door").state.tool).toBe("door");
 });
+
+test("the width of what is placed is typed in centimetres", () => {
+  const asked = panel(inAr(begin()), "Sofa").state;
+  const [depth = 0, , height = 0] = asked.placing?.size ?? [];
+  const open = panel(asked, labelOf(asked, "Width"));
+  expect(open.title).toBe("Width: type it in centimetres.");
+  expect(panel(open.state, "2", "1", "5", "Back", "4").title).toBe("Width: 214 cm");
+  const typed = panel(open.state, "2", "1", "4", "OK");
+  expect(typed.state.placing?.size).toEqual([depth, 2.14, height]);
+  expect(typed.labels).toContain("Width 214");
+  expect(typed.labels).toContain("Place it");
+});
+
+test("the height of a selected thing is typed, and its underside stays", () => {
+  const state = play(inAr(begin([box("a")])), {
+    type: "select",
+    selection: { kind: "box", id: "a" },
+  });
+  expect(panel(state).labels).toEqual([
+    ...panel(state).labels.slice(0, 4),
+    ...["Depth 80", "Width 120", "Height 80"],
+    ...["Turn left", "Turn right", "Remove", "Undo", "Done"],
+  ]);
+  const typed = panel(state, "Height 80", "9", "0", "OK").state;
+  expect(typed.scene.boxes[0]).toMatchObject({ size: [0.8, 1.2, 0.9], center: [2.5, 2, 0.45] });
+  expect(panel(typed, "Turn left").state.scene.boxes[0]?.heading).toBeCloseTo(Math.PI / 12, 12);
+  expect(panel(typed, "Remove").state.scene.boxes).toEqual([]);
+  expect(panel(typed, "Done").labels).toContain("Sofa");
+});
+
+test("a length that nothing can have is refused with a sentence, and can be typed again", () => {
+  const asked = panel(inAr(begin()), "Sofa").state;
+  const nothing = panel(asked, labelOf(asked, "Depth"), "0", "OK");
+  expect(nothing.title).toBe("At least 1 cm.");
+  expect(panel(nothing.state, "OK").title).toBe("Depth: 0 cm");
+  const left = panel(nothing.state, "OK", "Cancel");
+  expect(left.state.placing?.size).toEqual(asked.placing?.size);
+  expect(left.labels).toContain("Place it");
+});
+
+test("no more digits are taken than a length has", () => {
+  const asked = panel(inAr(begin()), "Sofa").state;
+  expect(panel(asked, labelOf(asked, "Depth"), "1", "2", "3", "4", "5").title).toBe(
+    "Depth: 1234 cm",
+  );
+});
+
+/** "Width 200": the button that begins so. */
+function labelOf(state: State, name: string): string {
+  return panel(state).labels.find((label) => label.startsWith(name)) ?? "";
+}
 
 test("pieces that the device knows are used, kept and dropped", () => {
   const found = play(inAr(begin()), {

@@ -22,6 +22,7 @@ export function enterAr(state: State, room: Ar["room"], granted: readonly string
     carrying: false,
     found: null,
     unchecked: [],
+    typing: null,
   };
   return { ...idle(state), ar };
 }

@@ -22,6 +22,7 @@ import type {
   SceneRecord,
   Surface,
 } from "../net/protocol.gen";
+import type { Side } from "./sizes";
 
 export type Point = readonly [number, number];
 export type Vector3 = readonly [number, number, number];
@@ -176,6 +177,13 @@ export interface Found {
   readonly boxes: readonly BoxRecord[];
 }
 
+/** A length that is being typed on the floating panel. */
+export interface Typing {
+  readonly side: Side;
+  /** Centimetres, as far as they are typed. */
+  readonly digits: string;
+}
+
 /** The room seen through the camera, while it is. */
 export interface Ar {
   /** The floor is looked for, then the corners that place the drawn room, then all is ready. */
@@ -200,6 +208,7 @@ export interface Ar {
   readonly found: Found | null;
   /** The pieces of those found that nobody has looked at yet, by id. */
   readonly unchecked: readonly string[];
+  readonly typing: Typing | null;
 }
 
 export interface State {

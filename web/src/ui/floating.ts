@@ -7,8 +7,9 @@ import type { Ar, Placing, Point, State } from "../model/state";
 import type { Placement } from "../net/protocol.gen";
 import { arHint, canCapture, foundInWords } from "./ar_words";
 import { placeable } from "./categories";
+import { keypad, keypadTitle, selectedBox, sizeRow } from "./keypad";
 import { verdictOf } from "./reasons";
-import { ended } from "./words";
+import { begun, ended } from "./words";
 
 export interface Floating {
   readonly state: State;
@@ -19,6 +20,7 @@ export interface Floating {
 
 /** Labels that fit into a row. */
 const IN_A_ROW = 4;
+const TURN = Math.PI / 12; // 15°
 
 export function floating(floating: Floating): FloatingContent {
   const { state, ar } = floating;
@@ -31,6 +33,10 @@ export function floating(floating: Floating): FloatingContent {
   }
   const title = titleOf(state, now);
   if (now.step !== "ready") return { title, rows: [[end]] };
+  if (now.typing !== null) {
+    const rows = keypad(state, now.typing, pressing(floating), floating.dispatch);
+    return { title: keypadTitle(now.typing), rows };
+  }
   return { title, rows: rowsOf(floating, now, end) };
 }
 
@@ -41,7 +47,8 @@ function titleOf(state: State, now: Ar): string {
   if (placing === null || now.carrying) return hint;
   const name = chosenPlace(placing)?.name;
   const sentence = ended(verdictOf(placing)?.sentence ?? hint);
-  return shownRefusal(state) ?? (name ? `${name}: ${sentence}` : sentence);
+  const named = name && !sentence.includes(name) ? `${begun(name)}: ${sentence}` : sentence;
+  return shownRefusal(state) ?? named;
 }
 
 /** The place on offer that is shown, unless the hand has moved it since. */
@@ -58,10 +65,15 @@ function rowsOf(floating: Floating, now: Ar, end: PanelButton): FloatingContent[
   }
   if (now.unchecked.length > 0) {
     const keep = press("Keep", { type: "check-piece", keep: true }, true);
-    return [labels(floating), [keep, press("Drop", { type: "check-piece", keep: false })]];
+    const drop = press("Drop", { type: "check-piece", keep: false });
+    return [labels(floating), sizeRow(state, press), [keep, drop]];
   }
-  if (state.placing !== null) return [alternatives(floating, state.placing), placing(floating)];
-  return state.tool === "select" ? idle(floating, end) : marking(floating);
+  const { placing: placed } = state;
+  if (placed !== null) {
+    return [alternatives(floating, placed), sizeRow(state, press), placing(floating)];
+  }
+  if (state.tool !== "select") return marking(floating);
+  return selectedBox(state) === undefined ? idle(floating, end) : chosen(floating);
 }
 
 function idle(floating: Floating, end: PanelButton): FloatingContent["rows"] {
@@ -92,6 +104,22 @@ function idle(floating: Floating, end: PanelButton): FloatingContent["rows"] {
   ];
 }
 
+/** What can be done to the box that is selected. */
+function chosen(floating: Floating): FloatingContent["rows"] {
+  const press = pressing(floating);
+  return [
+    labels(floating),
+    sizeRow(floating.state, press),
+    [
+      press("Turn left", { type: "turn", by: TURN }),
+      press("Turn right", { type: "turn", by: -TURN }),
+      press("Remove", { type: "delete-selected" }),
+      press("Undo", { type: "undo" }),
+      press("Done", { type: "select", selection: null }, true),
+    ],
+  ];
+}
+
 function marking(floating: Floating): FloatingContent["rows"] {
   const { state } = floating;
   const press = pressing(floating);
@@ -105,15 +133,15 @@ function marking(floating: Floating): FloatingContent["rows"] {
     ];
   }
   const again = press("Start over", { type: "choose-tool", tool: state.tool });
-  return [labels(floating), [state.draft === null ? press("Undo", { type: "undo" }) : again, done]];
+  if (state.draft !== null) return [[again, done]];
+  return [labels(floating), sizeRow(state, press), [press("Undo", { type: "undo" }), done]];
 }
 
-/** What the box that was marked last is: the likely ones. */
+/** What the selected box is: the likely ones; what was placed is known. */
 function labels(floating: Floating): readonly PanelButton[] {
-  const { scene, selection, lists } = floating.state;
-  const box = selection?.kind === "box" && scene.boxes.find(({ id }) => id === selection.id);
-  if (!box) return [];
-  return likelyCategories(box.size, lists.categories)
+  const box = selectedBox(floating.state);
+  if (box === undefined || box.placed === true) return [];
+  return likelyCategories(box.size, floating.state.lists.categories)
     .slice(0, IN_A_ROW)
     .map((category) =>
       pressing(floating)(

@@ -2,6 +2,7 @@
 import { html, nothing, type TemplateResult } from "lit";
 import { shownRefusal } from "../model/ghost";
 import { usualSize } from "../model/labels";
+import { LENGTHS, type Side, withLength } from "../model/sizes";
 import type { Mode, Placing, State, Vector3 } from "../model/state";
 import { formatSize } from "../model/units";
 import type { ModelName } from "../net/protocol.gen";
@@ -15,7 +16,6 @@ import { seeInRoom } from "./quick_look";
 import { inSentence, isNow, oneOf } from "./words";
 
 const SIZE_STEP = 0.05; // metres
-const SIDES = ["Depth", "Width", "Height"] as const;
 
 export function placePanel(page: Page): TemplateResult {
   const { state } = page;
@@ -151,23 +151,21 @@ function items(page: Page, placing: Placing): TemplateResult | typeof nothing {
 }
 
 function size({ state, dispatch }: Page, placing: Placing): TemplateResult {
-  const change = (side: number, length: number): void => {
-    const size = placing.size.map((old, i) => (i === side ? length : old)) as unknown as Vector3;
-    dispatch({ type: "set-size", size });
-  };
+  const change = (side: Side, length: number): void =>
+    dispatch({ type: "set-size", size: withLength(placing.size, side, length) });
   const usual = usualSize(placing.category, state.lists.categories);
   const isUsual = placing.size.every((length, i) => Math.abs(length - (usual[i] ?? 0)) < 0.005);
   return html`<details class="more size">
     <summary><span>Size</span><span class="quiet">${formatSize(placing.size)}</span></summary>
     <div class="fields" role="group" aria-label="Size">
-      ${SIDES.map((label, side) =>
+      ${LENGTHS.map((label, i) =>
         lengthField({
           id: `place-${label.toLowerCase()}`,
           label,
           unit: "cm",
-          value: placing.size[side] as number,
+          value: placing.size[i as Side],
           step: SIZE_STEP,
-          change: (length) => change(side, length),
+          change: (length) => change(i as Side, length),
         }),
       )}
     </div>

@@ -1,7 +1,8 @@
 /** What is selected, and its numbers to type. */
 import { html, nothing, type TemplateResult } from "lit";
 import { likelyCategories } from "../model/labels";
-import type { Point, Vector3 } from "../model/state";
+import { LENGTHS, type Side, sized } from "../model/sizes";
+import type { Point } from "../model/state";
 import { formatAngle } from "../model/units";
 import type { BoxRecord } from "../net/protocol.gen";
 import { chips } from "./categories";
@@ -14,7 +15,6 @@ const STEP = 0.05; // metres
 const TURN = Math.PI / 12; // 15°
 const FAR = { min: -1000, max: 1000 }; // metres; the reach of the wire
 const HEIGHTS = { min: 0, max: 10 }; // metres
-const SIDES = ["Depth", "Width", "Height"] as const;
 
 export function selectionPanel(page: Page): TemplateResult | typeof nothing {
   const { scene, selection } = page.state;
@@ -62,21 +62,16 @@ function whatIsIt(
     ${chips("What is it?", names, box.category, (category) => edit({ category }))}`;
 }
 
-/** Another height keeps the underside where it is. */
 function sizeFields(box: BoxRecord, edit: (change: Partial<BoxRecord>) => void): TemplateResult {
   return html`<div class="fields" role="group" aria-label="Size">
-    ${SIDES.map((label, side) =>
+    ${LENGTHS.map((label, i) =>
       lengthField({
         id: `box-${label.toLowerCase()}`,
         label,
         unit: "cm",
-        value: box.size[side] as number,
+        value: box.size[i as Side],
         step: STEP,
-        change: (length) => {
-          const size = replaced(box.size, side, length);
-          const [x, y, z] = box.center;
-          edit({ size, center: side === 2 ? [x, y, z + (length - box.size[2]) / 2] : [x, y, z] });
-        },
+        change: (length) => edit(sized(box, i as Side, length)),
       }),
     )}
   </div>`;
@@ -139,8 +134,4 @@ function boxCommands(page: Page, box: BoxRecord): TemplateResult {
 function westSouth(corners: readonly Point[]): Point {
   if (corners.length === 0) return [0, 0];
   return [Math.min(...corners.map(([x]) => x)), Math.min(...corners.map(([, y]) => y))];
-}
-
-function replaced(size: Vector3, side: number, length: number): Vector3 {
-  return size.map((old, i) => (i === side ? length : old)) as unknown as Vector3;
 }
