@@ -86,8 +86,8 @@ def choice_columns(groups: tuple[Category, ...]) -> tuple[Column, ...]:
 
 @lru_cache(maxsize=8)
 def _edges(named: tuple[Column, ...]) -> Floats:
-    """The edges of every column, filled up with infinity: (columns, BINS − 2)."""
-    table = np.full((len(named), BINS - 2), np.inf)
+    """The edges of every column, filled up with infinity: (columns, BINS − 1)."""
+    table = np.full((len(named), BINS - 1), np.inf)
     for row, column in zip(table, named, strict=True):
         edges = edges_of(column)
         row[: len(edges)] = np.array(edges) - HAIR
@@ -99,7 +99,7 @@ def _cells(named: tuple[Column, ...]) -> tuple[Floats, Bins]:
     """Even cells over the edges of every column, to start looking from: (columns, 2 + CELLS).
 
     Where the cells start and how many there are a unit: (columns, 2); a bin that no value of a
-    cell lies below: (columns, CELLS).
+    cell lies below: (columns, CELLS). At most one edge lies in a cell and its leeway.
     """
     edges = _edges(named)
     low, high = edges[:, 0], np.where(np.isfinite(edges), edges, -np.inf).max(axis=1)
@@ -128,19 +128,17 @@ def _bins(features: Floats, cutting: Cutting) -> Bins:
 
 @njit(cache=True, nogil=True)
 def _cut(features: Floats, edges: Floats, scales: Floats, cells: Bins, out: Bins) -> None:
+    """Without branches, which a processor would guess wrong half of the time."""
     width, poses = features.shape
     for c in range(width):
         start, scale = scales[c]
         for n in range(poses):
-            value = features[c, n]
-            if np.isnan(value):
-                out[c, n] = MISSING
-                continue
+            there = not np.isnan(features[c, n])
+            value = features[c, n] if there else start
             cell = int(min(max((value - start) * scale, 0.0), CELLS - 1.0))
-            found = cells[c, cell]
-            while found < BINS - 2 and value >= edges[c, found]:
-                found += 1
-            out[c, n] = found
+            found = int(cells[c, cell])
+            found += 1 if value >= edges[c, found] else 0
+            out[c, n] = found if there else MISSING
 
 
 @njit(cache=True, nogil=True)

@@ -42,7 +42,7 @@ def bin_of(value: float, named: Column) -> int:
         (0.04, GAP, 11),  # past −3 −2 −1.5 −1 −0.6 −0.3 −0.2 −0.1 −0.05 0 0.03
         (-10.0, GAP, 0),
         (99.0, GAP, 33),  # past all 33 edges
-        (inf, GAP, 33 + 1),  # what is open above ends the filled-up edges
+        (inf, GAP, 33),
         (nan, GAP, 35),
         (0.0, FLUSH, 0),
         (1.0, FLUSH, 1),
@@ -71,6 +71,21 @@ def test_every_column_has_edges_that_rise_and_leaves_a_bin_for_what_is_missing()
         edges = edges_of(named)
         assert list(edges) == sorted(set(edges))
         assert len(edges) < MISSING
+
+
+def test_bins_are_those_of_a_search_among_the_edges() -> None:
+    """Each edge and a hair beside it: the bin is found at once, so no two may be too close."""
+    named = choice_columns(PAPER_CATEGORIES)
+    edges = [np.array(edges_of(column)) for column in named]
+    beside = np.array([-2e-6, -1e-9, 0.0, 1e-9, 0.004, 0.009])
+    values = [np.sort((own[:, None] + beside).ravel()) for own in edges]
+    longest = max(len(own) for own in values)
+    table = np.array([np.pad(own, (0, longest - len(own)), mode="edge") for own in values])
+    expected = [
+        np.searchsorted(own - 1e-6, row, side="right")
+        for own, row in zip(edges, table, strict=True)
+    ]
+    assert np.array_equal(binned(table.T.copy(), named), np.array(expected).T)
 
 
 def test_each_group_has_a_column_for_each_part_of_a_neighbor() -> None:
