@@ -90,8 +90,10 @@ def verdicts(situation: Situation, space: Space) -> Ints:
     left = np.arange(len(verdict))
     for index, forbids in enumerate(_FORBIDS):
         forbidden = forbids(situation, space)
-        verdict[left[forbidden]] = index
-        left, situation = left[~forbidden], situation[~forbidden]
+        if forbidden.any():
+            verdict[left[forbidden]] = index
+            still = np.flatnonzero(~forbidden)
+            left, situation = left[still], situation[still]
     return verdict
 
 

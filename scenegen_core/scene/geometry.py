@@ -37,7 +37,7 @@ class Rectangles:
     def __getitem__(self, index: slice | Ints | Bools) -> Rectangles:
         some = Rectangles(self.centers[index], self.halves[index], self.headings[index])
         if "columns" in self.__dict__:  # known already: sines need not be taken again
-            some.__dict__["columns"] = np.ascontiguousarray(self.columns[:, index])
+            some.__dict__["columns"] = _columns(self.columns, index)
         return some
 
     @property
@@ -64,6 +64,13 @@ class Rectangles:
         signs = np.array([[1, 1], [-1, 1], [-1, -1], [1, -1]], dtype=float)
         offsets = (signs * self.halves[:, None, :]) @ self.axes
         return self.centers[:, None, :] + offsets
+
+
+def _columns(table: Floats, index: slice | Ints | Bools) -> Floats:
+    """Some columns of a table, its rows in one piece: ``take`` sees to that, an index does not."""
+    if isinstance(index, slice):
+        return np.ascontiguousarray(table[:, index])
+    return table.take(np.flatnonzero(index) if index.dtype == np.bool_ else index, axis=1)
 
 
 def directions(headings: Floats) -> Floats:
