@@ -1,12 +1,4 @@
-import {
-  DirectionalLight,
-  Group,
-  HemisphereLight,
-  PMREMGenerator,
-  type Scene,
-  type WebGLRenderer,
-} from "three";
-import { RoomEnvironment } from "three/addons/environments/RoomEnvironment.js";
+import { DirectionalLight, Group, HemisphereLight } from "three";
 import type { State } from "../model/state";
 import type { RoomRecord } from "../net/protocol.gen";
 import { boundsOf, middleOf } from "./outline";
@@ -16,7 +8,7 @@ import type { Part } from "./part";
 const SHADOW_PIXELS = 2048;
 const SUN = [-0.42, -0.55, 1] as const; // where the sun stands, seen from the room
 
-/** Daylight, or dusk: a sky, a sun whose shadow is fitted to the room, soft reflections. */
+/** Daylight, or dusk: a sky, a sun whose shadow is fitted to the room. */
 export class Lights implements Part {
   readonly root = new Group();
   readonly #sky = new HemisphereLight();
@@ -74,18 +66,4 @@ export class Lights implements Part {
     camera.far = radius * 3.5;
     camera.updateProjectionMatrix();
   }
-}
-
-/** Lets the room be reflected softly in what stands in it. Returns how to give that back. */
-export function addReflections(renderer: WebGLRenderer, scene: Scene): () => void {
-  const generator = new PMREMGenerator(renderer);
-  const room = new RoomEnvironment();
-  const target = generator.fromScene(room, 0.04);
-  scene.environment = target.texture;
-  room.dispose();
-  generator.dispose();
-  return () => {
-    scene.environment = null;
-    target.dispose();
-  };
 }

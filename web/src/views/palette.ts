@@ -33,7 +33,6 @@ export interface Look {
   readonly horizon: string;
   readonly hemisphere: readonly [sky: string, ground: string, intensity: number];
   readonly sun: readonly [color: string, intensity: number];
-  readonly environment: number;
   readonly exposure: number;
   readonly floorTint: string;
   readonly label: string;
@@ -52,9 +51,8 @@ export const DAY: Look = {
   door: "#c9a27a",
   sky: "#bfe0f7",
   horizon: "#f7fbff",
-  hemisphere: ["#ffffff", "#e6d8c4", 1.5],
+  hemisphere: ["#ffffff", "#faf5ee", 3.4],
   sun: ["#fff3df", 1.9],
-  environment: 0.42,
   exposure: 1,
   floorTint: "#ffffff",
   label: "rgba(255, 255, 255, 0.94)",
@@ -72,9 +70,8 @@ export const DUSK: Look = {
   door: "#8f6d4e",
   sky: "#33456e",
   horizon: "#d98e63",
-  hemisphere: ["#8e98b8", "#5a4636", 0.75],
+  hemisphere: ["#c9d0d8", "#b6b4a8", 2.6],
   sun: ["#ffc58a", 1.5],
-  environment: 0.28,
   exposure: 0.95,
   floorTint: "#cdbfb2",
   label: "rgba(32, 35, 42, 0.92)",

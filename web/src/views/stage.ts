@@ -5,7 +5,6 @@ import type { Segment } from "../model/geometry";
 import type { Point, State, Vector3 } from "../model/state";
 import { Cameras } from "./cameras";
 import { insetsOf } from "./covered";
-import { addReflections } from "./lights";
 import type { Pad } from "./pad";
 import { DAY, DUSK, type Look } from "./palette";
 import { Pointer } from "./pointer";
@@ -55,7 +54,6 @@ export class Stage implements StageView {
   readonly #dark = matchMedia("(prefers-color-scheme: dark)");
   readonly #listening = new AbortController();
   readonly #observer: ResizeObserver;
-  #removeReflections: () => void;
   #request = 0;
   #last = 0;
   #moving = false;
@@ -78,7 +76,6 @@ export class Stage implements StageView {
       this.invalidate();
     });
     this.#scene.add(this.#scenery.root);
-    this.#removeReflections = addReflections(this.#renderer, this.#scene);
     this.#cameras = new Cameras(canvas, () => this.invalidate());
     this.#eye = { camera: this.#cameras.active, pixels: host.clientHeight, elapsed: 0 };
     this.#sight = new Sight(canvas);
@@ -151,10 +148,7 @@ export class Stage implements StageView {
       renderer: this.#renderer,
       scene: this.#scene,
       guide: (guides) => this.#scenery.guide(guides),
-      light: (own) => {
-        this.#scenery.light(own);
-        this.#scene.environmentIntensity = own ? DAY.environment : 0;
-      },
+      light: (own) => this.#scenery.light(own),
       draw: (camera, elapsed) => {
         this.#eye.pixels = innerHeight;
         this.#render(camera, elapsed);
@@ -177,7 +171,6 @@ export class Stage implements StageView {
     this.#pointer.dispose();
     this.#cameras.dispose();
     this.#scenery.dispose();
-    this.#removeReflections();
     this.#renderer.dispose();
     this.#renderer.domElement.remove();
   }
@@ -243,10 +236,8 @@ export class Stage implements StageView {
     canvas.addEventListener("webglcontextrestored", () => this.#restore(), { signal });
   }
 
-  /** three uploads its own things again; the reflections were drawn on the card and are gone. */
+  /** three uploads its own things again. */
   #restore(): void {
-    this.#removeReflections();
-    this.#removeReflections = addReflections(this.#renderer, this.#scene);
     this.#renderer.shadowMap.needsUpdate = true;
     this.invalidate();
   }
@@ -257,7 +248,6 @@ export class Stage implements StageView {
 
   #relight(look: Look): void {
     this.#scene.background = this.#isLent ? null : new Color(look.background);
-    this.#scene.environmentIntensity = look.environment;
     this.#renderer.toneMappingExposure = look.exposure;
     this.#renderer.shadowMap.needsUpdate = true;
     this.#scenery.relight(look);
