@@ -53,7 +53,7 @@ test: $(INSTALLED_FOR_TESTS) $(PAGE) browser  ## format, lint, types, unit and b
 
 .PHONY: bench
 bench: $(INSTALLED_FOR_TESTS) $(PAGE) browser  ## measure how fast it is; results in benchmarks/results
-	@for what in placing following dragging serving; do \
+	@for what in placing limits following dragging serving; do \
 	    PYTHONPATH=. $(BIN)/python benchmarks/$$what.py > benchmarks/results/$$what.md || exit 1; \
 	    cat benchmarks/results/$$what.md; \
 	done

@@ -86,18 +86,26 @@ def main() -> None:
         span = one.maps[-1] - one.maps[0]
         rate = len(one.maps) / span
         print(f"| maps a second, of {1 / EVERY:.0f} steps | {rate:.0f} | | | |")
-    with started() as (_, port, _), ExitStack() as stack:
+    told(f"{SESSIONS} rooms, each once a second", many(SESSIONS, 1.0))
+    for workers in (1, 2):
+        name = f"{SESSIONS} rooms, each three times a second, {workers} process(es)"
+        told(name, many(SESSIONS, 1 / 3, "--workers", str(workers)))
+
+
+def many(rooms: int, every: float, *more: str) -> list[float]:
+    """The waits of as many rooms, each changed that often, of a server with those options."""
+    with started(*more) as (_, port, _), ExitStack() as stack:
         answers(port)
-        pages = [Page(stack.enter_context(opened(port, n).socket)) for n in range(SESSIONS)]
+        pages = [Page(stack.enter_context(opened(port, n).socket)) for n in range(rooms)]
         found: list[Drag] = []
         threads = []
         for page in pages:
-            sleep(1 / SESSIONS)
-            threads.append(Thread(target=lambda p=page: found.append(drag(p, CHANGES, 1.0))))
+            sleep(every / rooms)
+            threads.append(Thread(target=lambda p=page: found.append(drag(p, CHANGES, every))))
             threads[-1].start()
         for thread in threads:
             thread.join()
-        told(f"{SESSIONS} rooms, each once a second", [w for one in found for w in one.waits])
+    return [wait for one in found for wait in one.waits]
 
 
 if __name__ == "__main__":

@@ -39,13 +39,13 @@ CLOCK = os.sysconf("SC_CLK_TCK")  # ticks a second
 
 
 @contextmanager
-def started() -> Iterator[tuple[int, int, float]]:
-    """A server of its own: its process, its port, when it was started."""
+def started(*more: str) -> Iterator[tuple[int, int, float]]:
+    """A server of its own, with ``more`` options: its process, its port, when it was started."""
     with socket.create_server(("127.0.0.1", 0)) as free:
         port = free.getsockname()[1]
     with TemporaryDirectory() as directory:
         store = str(Path(directory) / "store")
-        command = ("-m", "server.cli", "serve", "--port", str(port), "--store", store)
+        command = ("-m", "server.cli", "serve", "--port", str(port), "--store", store, *more)
         begin = perf_counter()
         process = subprocess.Popen(  # noqa: S603 (ourselves)
             [sys.executable, *command], cwd=ROOT, stdout=subprocess.DEVNULL
