@@ -16,6 +16,7 @@ from websockets.sync.client import connect
 from websockets.typing import Origin, Subprotocol
 
 from server.cli import main
+from server.commands.serve import listen
 from server.protocol import SUBPROTOCOL, Ack, Hello, Models, PutBox, Welcome
 from tests.server.driving import TABLE, Page, page, started
 
@@ -165,6 +166,15 @@ def test_a_server_for_all_without_https_asks_for_the_token(options: tuple[str, .
         assert fetched(address, headers=stranger)[0] == 403
         known = {**stranger, "Cookie": f"scenegen-join={found[2]}"}
         assert fetched(address, headers=known)[0] == 200
+
+
+def test_no_message_waits_for_the_one_before_it_to_be_acknowledged() -> None:
+    with (
+        listen("127.0.0.1", 0) as listener,
+        socket.create_connection(listener.getsockname()),
+        listener.accept()[0] as accepted,
+    ):
+        assert accepted.getsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY) != 0
 
 
 def test_a_taken_port_gives_a_sentence(
