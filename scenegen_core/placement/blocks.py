@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
+from math import ceil
 from os import cpu_count
 from typing import TypeVar
 
@@ -12,7 +13,8 @@ from numpy.typing import NDArray
 
 from scenegen_core.graph.situation import Situation
 
-AT_ONCE = 2048  # poses, whose columns fit into a processor's cache
+AT_ONCE = 8192  # poses at most; more no longer fit into a processor's caches
+FEW = 2048  # poses that are not worth a second thread
 
 Number = TypeVar("Number", np.float64, np.int64)
 
@@ -20,9 +22,15 @@ Number = TypeVar("Number", np.float64, np.int64)
 def in_blocks(
     work: Callable[[Situation], NDArray[Number]], situation: Situation, at_once: int = AT_ONCE
 ) -> NDArray[Number]:
-    """What work on a situation gives, one number a pose: (n,). Compiled loops leave the lock."""
-    parts = [situation[i : i + at_once] for i in range(0, len(situation.candidates), at_once)]
-    if len(parts) <= 1:
+    """What work on a situation gives, one number a pose: (n,).
+
+    Compiled loops run side by side, what is between them does not: few large blocks, and as many
+    for each processor.
+    """
+    count, threads = len(situation.candidates), cpu_count() or 1
+    if count <= FEW:
         return work(situation)
-    with ThreadPoolExecutor(min(len(parts), cpu_count() or 1)) as threads:
-        return np.concatenate(list(threads.map(work, parts)))
+    size = ceil(count / (threads * ceil(count / (threads * at_once))))
+    parts = [situation[i : i + size] for i in range(0, count, size)]
+    with ThreadPoolExecutor(threads) as pool:
+        return np.concatenate(list(pool.map(work, parts)))
