@@ -16,11 +16,11 @@ import numpy as np
 from serving import answers, opened, started
 
 from scenegen_core.scene.files import BoxRecord
-from server.protocol import Maps, PutBox
+from server.protocol import Maps, PutBoxes
 from tests.server.driving import Page
 
 STEPS, EVERY = 150, 0.033  # of a drag, and seconds between two
-SESSIONS, CHANGES = 50, 15  # rooms at once, and how often each changes, once a second
+SESSIONS, CHANGES = 50, 15  # rooms at once, and how often each changes
 
 
 class Drag:
@@ -54,7 +54,7 @@ class Drag:
             size=(0.5, 0.5, 0.4),
         )
         self.sent[seq] = perf_counter()
-        self.page.send(PutBox(seq=seq, box=box))
+        self.page.send(PutBoxes(seq=seq, boxes=(box,)))
 
 
 def drag(page: Page, steps: int, every: float) -> Drag:
@@ -87,9 +87,9 @@ def main() -> None:
         rate = len(one.maps) / span
         print(f"| maps a second, of {1 / EVERY:.0f} steps | {rate:.0f} | | | |")
     told(f"{SESSIONS} rooms, each once a second", many(SESSIONS, 1.0))
-    for workers in (1, 2):
-        name = f"{SESSIONS} rooms, each three times a second, {workers} process(es)"
-        told(name, many(SESSIONS, 1 / 3, "--workers", str(workers)))
+    for workers, on in (("1", "one process"), ("2", "two processes")):
+        name = f"{SESSIONS} rooms, each three times a second, {on}"
+        told(name, many(SESSIONS, 1 / 3, "--workers", workers))
 
 
 def many(rooms: int, every: float, *more: str) -> list[float]:

@@ -3,16 +3,17 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import reduce
 
 from scenegen_core.errors import SceneError
 from scenegen_core.scene.files import MAX_BOXES, BoxRecord, box_of, room_of, scene_of
 from scenegen_core.scene.model import Scene
-from server.protocol import Edit, Problem, PutBox, PutRoom, PutScene, Query, RemoveBox
+from server.protocol import Edit, Problem, PutBoxes, PutRoom, PutScene, Query, RemoveBox
 
 PARTS: dict[type[Edit], str] = {
     PutScene: "$.scene",
     PutRoom: "$.room",
-    PutBox: "$.box",
+    PutBoxes: "$.boxes",
     RemoveBox: "$.id",
 }
 """Where in an edit the thing is that can be wrong."""
@@ -40,7 +41,7 @@ def edited(scene: Scene | None, edit: Edit, words: Vocabulary) -> Scene | Proble
         return Problem(
             code="too_many_boxes",
             text=f"A room holds at most {MAX_BOXES} boxes. Remove one before adding another.",
-            path="$.box",
+            path="$.boxes",
             seq=edit.seq,
         )
     return after
@@ -71,10 +72,10 @@ def _apply(scene: Scene | None, edit: Edit) -> Scene | None:
         case PutRoom():
             room = room_of(edit.room)
             return Scene(room) if scene is None else scene.with_room(room)
-        case PutBox():
+        case PutBoxes():
             if scene is None:
                 raise SceneError("There is no room yet; draw its walls first.")
-            return scene.with_box(box_of(edit.box))
+            return reduce(Scene.with_box, map(box_of, edit.boxes), scene)
         case RemoveBox():
             return None if scene is None else scene.without(edit.id)
 
@@ -97,7 +98,7 @@ def _boxes(edit: Edit) -> list[tuple[str, BoxRecord]]:
     match edit:
         case PutScene():
             return [(f"$.scene.boxes[{i}]", box) for i, box in enumerate(edit.scene.boxes)]
-        case PutBox():
-            return [("$.box", edit.box)]
+        case PutBoxes():
+            return [(f"$.boxes[{i}]", box) for i, box in enumerate(edit.boxes)]
         case PutRoom() | RemoveBox():
             return []

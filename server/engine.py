@@ -137,7 +137,8 @@ class Engine:
         if found is None:
             return None
         session, kind = found
-        self._waiting[session] = jobs = self._waiting.pop(session)
+        jobs = self._waiting.pop(session)
+        self._waiting[session] = jobs  # behind the others
         return jobs.pop(kind)
 
     async def _finish(self, job: Job) -> None:

@@ -13,6 +13,7 @@ from typing import Annotated, Literal
 from msgspec import Meta, Struct
 
 from scenegen_core.scene.files import (
+    MAX_BOXES,
     BoxRecord,
     CenterRecord,
     Identifier,
@@ -75,11 +76,14 @@ class PutRoom(Message, frozen=True, tag="put_room"):
     room: RoomRecord
 
 
-class PutBox(Message, frozen=True, tag="put_box"):
-    """Add a box, or replace the one with its id; sent again and again while it is dragged."""
+class PutBoxes(Message, frozen=True, tag="put_boxes"):
+    """Add boxes, or replace those with their ids; all of them, or none if one is refused.
+
+    Sent again and again while a box is dragged, with what stands on it.
+    """
 
     seq: Sequence
-    box: BoxRecord
+    boxes: Annotated[tuple[BoxRecord, ...], Meta(min_length=1, max_length=MAX_BOXES)]
 
 
 class RemoveBox(Message, frozen=True, tag="remove_box"):
@@ -139,7 +143,7 @@ class Ping(Message, frozen=True, tag="ping"):
     nonce: Sequence
 
 
-Edit = PutScene | PutRoom | PutBox | RemoveBox
+Edit = PutScene | PutRoom | PutBoxes | RemoveBox
 ClientMessage = Hello | Edit | Ask | Inspect | WhatMatters | WatchGraph | Ping
 
 

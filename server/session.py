@@ -40,7 +40,7 @@ from server.protocol import (
     Ping,
     Pong,
     Problem,
-    PutBox,
+    PutBoxes,
     PutRoom,
     PutScene,
     RemoveBox,
@@ -94,7 +94,7 @@ def greet(session: Session, hello: Hello, *, lists: Welcome) -> Step:
 def handle(session: Session, message: ClientMessage, words: Vocabulary) -> Step:
     """What a message of the page does."""
     match message:
-        case PutScene() | PutRoom() | PutBox() | RemoveBox():
+        case PutScene() | PutRoom() | PutBoxes() | RemoveBox():
             return _edit(session, message, words)
         case Ask():
             return _ask(session, message, words)

@@ -491,7 +491,15 @@ def test_no_picture_is_read_and_only_outlines_boxes_and_questions_leave_the_page
         phone.press("End")
         assert phone.page.evaluate("globalThis.read") == []
         kinds = {one["type"] for one in phone.sent}
-        assert kinds <= {"put_scene", "put_room", "put_box", "remove_box", "ask", "inspect", "ping"}
+        assert kinds <= {
+            "put_scene",
+            "put_room",
+            "put_boxes",
+            "remove_box",
+            "ask",
+            "inspect",
+            "ping",
+        }
         assert phone.binary_sent == 0
         # A camera's image has a hundred thousand bytes; what is sent here are a few numbers.
         assert max(len(json.dumps(one)) for one in phone.sent) < 4_000

@@ -180,7 +180,6 @@ def open_file(page: Page, content: bytes) -> None:
 
 
 def boxes_of(message: Record) -> list[Record]:
-    if message["type"] == "put_box":
-        return [message["box"]]
-    boxes: list[Record] = message["scene"]["boxes"] if message["type"] == "put_scene" else []
+    holder = message["scene"] if message["type"] == "put_scene" else message
+    boxes: list[Record] = holder.get("boxes", [])
     return boxes

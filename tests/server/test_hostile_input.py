@@ -25,7 +25,7 @@ from server.protocol import (
     Ping,
     Pong,
     Problem,
-    PutBox,
+    PutBoxes,
     PutScene,
     Welcome,
 )
@@ -36,8 +36,8 @@ BOX = {"id": "b", "category": "Table", "center": [1, 1, 0.4], "size": [1, 1, 0.8
 CROSSING = [[0, 0], [4, 4], [4, 0], [0, 4]]
 
 
-def put_box(**changes: object) -> str:
-    return json.dumps({"type": "put_box", "seq": 5, "box": BOX | changes})
+def put_boxes(**changes: object) -> str:
+    return json.dumps({"type": "put_boxes", "seq": 5, "boxes": [BOX | changes]})
 
 
 def put_scene(*, corners: object, boxes: int = 0) -> str:
@@ -48,29 +48,31 @@ def put_scene(*, corners: object, boxes: int = 0) -> str:
 
 SQUARE = [[0, 0], [4, 0], [4, 4], [0, 4]]
 BAD_FRAMES = {
-    "NaN": (put_box(center=[1, float("nan"), 0]), "bad_json", None, None),
-    "infinity": (put_box(center=[1, float("inf"), 0]), "bad_json", None, None),
-    "half a JSON": (put_box()[:40], "bad_json", None, None),
+    "NaN": (put_boxes(center=[1, float("nan"), 0]), "bad_json", None, None),
+    "infinity": (put_boxes(center=[1, float("inf"), 0]), "bad_json", None, None),
+    "half a JSON": (put_boxes()[:40], "bad_json", None, None),
     "nothing": ("", "bad_json", None, None),
     "deep nesting": ('{"seq":' + "[" * 100_000, "bad_json", None, None),
     "half an unknown message": ('{"type":"photo"', "bad_message", "$.type", None),
-    "a large number": (put_box(heading=0)[:-2] + ".1e999}}", "bad_message", "$.box.heading", 5),
-    "far away": (put_box(center=[1, 1e6, 0]), "bad_message", "$.box.center[1]", 5),
-    "no size": (put_box(size=[1, 0, 1]), "bad_message", "$.box.size[1]", 5),
-    "a huge size": (put_box(size=[1, 1, 1e9]), "bad_message", "$.box.size[2]", 5),
-    "two numbers for three": (put_box(size=[1, 1]), "bad_message", "$.box.size", 5),
-    "a text for a number": (put_box(heading="north"), "bad_message", "$.box.heading", 5),
-    "an unknown field": (put_box(photo="AAAA"), "bad_message", "$.box", 5),
+    "a large number": (
+        put_boxes(heading=0)[:-3] + ".1e999}]}", "bad_message", "$.boxes[0].heading", 5
+    ),
+    "far away": (put_boxes(center=[1, 1e6, 0]), "bad_message", "$.boxes[0].center[1]", 5),
+    "no size": (put_boxes(size=[1, 0, 1]), "bad_message", "$.boxes[0].size[1]", 5),
+    "a huge size": (put_boxes(size=[1, 1, 1e9]), "bad_message", "$.boxes[0].size[2]", 5),
+    "two numbers for three": (put_boxes(size=[1, 1]), "bad_message", "$.boxes[0].size", 5),
+    "a text for a number": (put_boxes(heading="north"), "bad_message", "$.boxes[0].heading", 5),
+    "an unknown field": (put_boxes(photo="AAAA"), "bad_message", "$.boxes[0]", 5),
     "an unknown message": ('{"type":"photo"}', "bad_message", "$.type", None),
     "no message": ("[]", "bad_message", "$", None),
-    "a bad number of an edit": ('{"type":"put_box","seq":-1}', "bad_message", "$.seq", None),
-    "an unknown category": (put_box(category="Ship"), "bad_scene", "$.box.category", 5),
+    "a bad number of an edit": ('{"type":"put_boxes","seq":-1}', "bad_message", "$.seq", None),
+    "an unknown category": (put_boxes(category="Ship"), "bad_scene", "$.boxes[0].category", 5),
     "a crossing outline": (put_scene(corners=CROSSING), "bad_scene", "$.scene", 5),
     "two corners": (put_scene(corners=SQUARE[:2]), "bad_message", "$.scene.room.corners", 5),
     "a line of a room": (put_scene(corners=[[0, 0], [4, 0], [8, 0]]), "bad_scene", "$.scene", 5),
     "10,000 boxes": (put_scene(corners=SQUARE, boxes=10_000), "too_many_boxes", "$.scene.boxes", 5),
     "501 boxes": (put_scene(corners=SQUARE, boxes=501), "too_many_boxes", "$.scene.boxes", 5),
-    "a long text": (put_box(label="x" * 1_000_001), "too_large", None, None),
+    "a long text": (put_boxes(label="x" * 1_000_001), "too_large", None, None),
     "bytes": (b"\x89PNG\r\n", "bad_message", None, None),
 }  # fmt: skip
 
@@ -78,7 +80,7 @@ BAD_FRAMES = {
 KEYS = st.sampled_from(["type", "seq", "box", "scene", "room", "id", "center", "query", "nonce"])
 LEAVES = st.none() | st.booleans() | st.integers() | st.floats() | st.text(max_size=5)
 ANYTHING = st.recursive(
-    LEAVES | st.sampled_from(["put_box", "put_scene", "ask", "ping"]),
+    LEAVES | st.sampled_from(["put_boxes", "put_scene", "ask", "ping"]),
     lambda inner: st.lists(inner, max_size=4) | st.dictionaries(KEYS, inner, max_size=4),
 )
 
@@ -112,7 +114,7 @@ def test_a_bad_frame_is_refused_with_its_path_and_nothing_changes(
         problem = here.until(Problem)
         assert (problem.code, problem.path, problem.seq) == (code, path, seq)
         assert problem.text.endswith(".")
-        here.send(PutBox(seq=6, box=TABLE))
+        here.send(PutBoxes(seq=6, boxes=(TABLE,)))
         assert here.until(Ack) == Ack(seq=6, revision=2)
 
 
@@ -154,7 +156,7 @@ def test_messages_that_come_too_fast_are_refused_with_their_number(url: str) -> 
     with drawn(url) as here:
         for seq in range(3 * MAX_MESSAGES_A_SECOND):
             try:
-                here.send(PutBox(seq=seq, box=TABLE))
+                here.send(PutBoxes(seq=seq, boxes=(TABLE,)))
             except ConnectionClosed:
                 break
         problem = here.until(Problem)

@@ -32,8 +32,8 @@ def test_a_golden_message_is_the_same_after_decoding_and_encoding(path: Path) ->
 
 
 def test_a_wrong_value_is_refused_with_its_path() -> None:
-    text = (GOLDEN / "put_box.json").read_text().replace("2.1", "-2.1")
-    with pytest.raises(msgspec.ValidationError, match=r"`\$\.box\.size\[1\]`"):
+    text = (GOLDEN / "put_boxes.json").read_text().replace("2.1", "-2.1")
+    with pytest.raises(msgspec.ValidationError, match=r"`\$\.boxes\[0\]\.size\[1\]`"):
         msgspec.json.decode(text, type=protocol.ClientMessage)
 
 

@@ -17,7 +17,7 @@ from websockets.typing import Origin, Subprotocol
 
 from server.cli import main
 from server.commands.serve import listen
-from server.protocol import SUBPROTOCOL, Ack, Hello, Models, PutBox, Welcome
+from server.protocol import SUBPROTOCOL, Ack, Hello, Models, PutBoxes, Welcome
 from tests.server.driving import TABLE, Page, page, started
 
 
@@ -61,7 +61,7 @@ def test_several_processes_serve_one_store(options: tuple[str, ...]) -> None:
             with page(f"ws://{found[1]}") as here:
                 here.send(Hello(session=session, revision=revision))
                 assert here.until(Welcome).revision == revision
-                here.send(PutBox(seq=1, box=TABLE))
+                here.send(PutBoxes(seq=1, boxes=(TABLE,)))
                 assert here.until(Ack).revision == revision + 1
             for name in (f"assets/{digest}.glb", f"usdz/{digest}.usdz"):
                 with urlopen(f"http://{found[1]}/{name}") as response:

@@ -44,7 +44,7 @@ from server.protocol import (
     Ping,
     Pong,
     Problem,
-    PutBox,
+    PutBoxes,
     PutRoom,
     PutScene,
     Query,
@@ -126,10 +126,27 @@ def test_a_page_that_knows_another_revision_gets_the_scene(hello: Hello) -> None
 
 def test_an_edit_is_saved_before_it_is_acknowledged_under_the_next_revision() -> None:
     moved = msgspec.structs.replace(TABLE, center=(1.0, 1.0, 0.35))
-    session, effects = after(DRAWN, PutBox(seq=9, box=moved))
+    session, effects = after(DRAWN, PutBoxes(seq=9, boxes=(moved,)))
     assert session.scene is not None
     assert effects[:2] == [Save("s", 5, session.scene), Send(Ack(seq=9, revision=5))]
     assert session.scene["table"].center == (1.0, 1.0, 0.35)
+
+
+def test_boxes_that_move_together_make_one_revision_or_none() -> None:
+    moved = msgspec.structs.replace(TABLE, center=(1.0, 1.0, 0.35))
+    vase = msgspec.structs.replace(TABLE, id="vase", category="Other", center=(1.0, 1.0, 0.8))
+    session, effects = after(DRAWN, PutBoxes(seq=9, boxes=(moved, vase)))
+    assert session.scene is not None
+    assert effects[:2] == [Save("s", 5, session.scene), Send(Ack(seq=9, revision=5))]
+    assert session.scene["table"].center == (1.0, 1.0, 0.35)
+    assert session.scene["vase"].center == (1.0, 1.0, 0.8)
+    ship = msgspec.structs.replace(vase, category="Ship")
+    wrong, effects = after(DRAWN, PutBoxes(seq=9, boxes=(moved, ship)))
+    assert wrong.scene == DRAWN.scene
+    (problem,) = effects
+    assert isinstance(problem, Send)
+    assert isinstance(problem.message, Problem)
+    assert problem.message.path == "$.boxes[1].category"
 
 
 def test_edits_add_up_to_the_scene_of_the_page() -> None:
@@ -138,8 +155,8 @@ def test_edits_add_up_to_the_scene_of_the_page() -> None:
     session, _ = after(
         Session(id="s"),
         PutRoom(seq=1, room=ROOM),
-        PutBox(seq=2, box=chair),
-        PutBox(seq=3, box=TABLE),
+        PutBoxes(seq=2, boxes=(chair,)),
+        PutBoxes(seq=3, boxes=(TABLE,)),
         RemoveBox(seq=4, id="chair"),
         RemoveBox(seq=5, id="never there"),
         PutRoom(seq=6, room=large),
@@ -150,12 +167,12 @@ def test_edits_add_up_to_the_scene_of_the_page() -> None:
 
 def test_a_box_outside_the_room_is_taken() -> None:
     outside = msgspec.structs.replace(TABLE, id="far", center=(50.0, -3.0, 0.35))
-    assert sent(DRAWN, PutBox(seq=1, box=outside)) == [Ack(seq=1, revision=5)]
+    assert sent(DRAWN, PutBoxes(seq=1, boxes=(outside,))) == [Ack(seq=1, revision=5)]
 
 
 def test_a_box_without_a_room_is_refused_with_what_to_do() -> None:
-    assert sent(Session(id="s"), PutBox(seq=1, box=TABLE)) == [
-        Problem("bad_scene", "There is no room yet; draw its walls first.", "$.box", 1)
+    assert sent(Session(id="s"), PutBoxes(seq=1, boxes=(TABLE,))) == [
+        Problem("bad_scene", "There is no room yet; draw its walls first.", "$.boxes", 1)
     ]
 
 
@@ -179,8 +196,8 @@ def test_an_unknown_category_is_refused_with_the_list_of_those_there_are() -> No
     spaceship = msgspec.structs.replace(TABLE, id="x", category="Spaceship")
     scene = SceneRecord(room=ROOM, boxes=(TABLE, spaceship))
     text = "There is no category 'Spaceship'; choose one of Table, Sofa, Other."
-    assert sent(DRAWN, PutBox(seq=1, box=spaceship), PutScene(seq=2, scene=scene)) == [
-        Problem("bad_scene", text, "$.box.category", 1),
+    assert sent(DRAWN, PutBoxes(seq=1, boxes=(spaceship,)), PutScene(seq=2, scene=scene)) == [
+        Problem("bad_scene", text, "$.boxes[0].category", 1),
         Problem("bad_scene", text, "$.scene.boxes[1].category", 2),
     ]
 
@@ -194,7 +211,7 @@ def test_two_boxes_of_one_id_are_refused() -> None:
 def test_the_501st_box_is_refused() -> None:
     boxes = tuple(msgspec.structs.replace(TABLE, id=f"table {i}") for i in range(500))
     full = Session(id="s", scene=scene_of(SceneRecord(room=ROOM, boxes=boxes)))
-    replies = sent(full, PutBox(seq=1, box=boxes[7]), PutBox(seq=2, box=TABLE))
+    replies = sent(full, PutBoxes(seq=1, boxes=(boxes[7],)), PutBoxes(seq=2, boxes=(TABLE,)))
     assert replies[0] == Ack(seq=1, revision=1)
     assert isinstance(replies[1], Problem)
     assert (replies[1].code, replies[1].seq) == ("too_many_boxes", 2)
@@ -202,7 +219,11 @@ def test_the_501st_box_is_refused() -> None:
 
 def test_an_ask_is_answered_now_and_after_every_edit_until_it_stops() -> None:
     session, effects = after(
-        DRAWN, SOFA, PutBox(seq=1, box=TABLE), Ask(id="b", query=None), RemoveBox(seq=2, id="x")
+        DRAWN,
+        SOFA,
+        PutBoxes(seq=1, boxes=(TABLE,)),
+        Ask(id="b", query=None),
+        RemoveBox(seq=2, id="x"),
     )
     solves = [effect for effect in effects if isinstance(effect, Solve)]
     assert [(solve.ask, solve.revision) for solve in solves] == [("a", 4), ("a", 5)]
@@ -241,9 +262,9 @@ def test_the_graph_is_drawn_now_and_after_every_edit_while_it_is_watched() -> No
     _, effects = after(
         DRAWN,
         WatchGraph(on=True),
-        PutBox(seq=1, box=TABLE),
+        PutBoxes(seq=1, boxes=(TABLE,)),
         WatchGraph(on=False),
-        PutBox(seq=2, box=TABLE),
+        PutBoxes(seq=2, boxes=(TABLE,)),
     )
     graphs = [effect for effect in effects if isinstance(effect, DrawGraph)]
     assert [graph.revision for graph in graphs] == [4, 5]
@@ -259,14 +280,14 @@ def test_a_second_hello_is_refused() -> None:
 
 
 def test_a_model_is_made_for_a_new_look_and_not_for_a_new_place() -> None:
-    session, effects = after(DRAWN, PutBox(seq=1, box=TABLE))
+    session, effects = after(DRAWN, PutBoxes(seq=1, boxes=(TABLE,)))
     assert Furnish in kinds(effects)
     look = look_of(scene_of(SCENE)["table"])
     session, _ = furnished(session, Furnished(5, {"table": (look, DIGEST)}))
     moved = msgspec.structs.replace(TABLE, center=(1.0, 1.0, 0.35))
     grown = msgspec.structs.replace(TABLE, size=(0.8, 1.5, 0.7))
-    assert Furnish not in kinds(after(session, PutBox(seq=2, box=moved))[1])
-    assert Furnish in kinds(after(session, PutBox(seq=2, box=grown))[1])
+    assert Furnish not in kinds(after(session, PutBoxes(seq=2, boxes=(moved,)))[1])
+    assert Furnish in kinds(after(session, PutBoxes(seq=2, boxes=(grown,)))[1])
 
 
 def test_less_than_a_centimetre_is_no_new_look() -> None:
@@ -280,14 +301,14 @@ def test_a_model_is_pushed_once_and_told_again_after_the_box_came_back() -> None
     models = Send(Models(revision=4, boxes={"table": DIGEST}))
     session, effects = furnished(DRAWN, result)
     assert effects == (Push(DIGEST), models)
-    session, _ = after(session, RemoveBox(seq=1, id="table"), PutBox(seq=2, box=TABLE))
+    session, _ = after(session, RemoveBox(seq=1, id="table"), PutBoxes(seq=2, boxes=(TABLE,)))
     assert furnished(session, result)[1] == (models,)
 
 
 def test_models_of_boxes_that_are_gone_or_look_different_by_now_are_dropped() -> None:
     old = Furnished(4, {"table": (look_of(scene_of(SCENE)["table"]), DIGEST)})
     grown = msgspec.structs.replace(TABLE, size=(0.8, 1.5, 0.7))
-    for edit in (RemoveBox(seq=1, id="table"), PutBox(seq=1, box=grown)):
+    for edit in (RemoveBox(seq=1, id="table"), PutBoxes(seq=1, boxes=(grown,))):
         session, _ = after(DRAWN, edit)
         assert furnished(session, old) == (session, ())
 
@@ -323,7 +344,7 @@ def test_maps_are_sent_and_then_offers_are_made(world: World) -> None:
 
 
 def test_while_a_box_is_dragged_maps_on_the_way_are_sent_but_no_offers(world: World) -> None:
-    session, _ = after(DRAWN, SOFA, PutBox(seq=1, box=TABLE))
+    session, _ = after(DRAWN, SOFA, PutBoxes(seq=1, boxes=(TABLE,)))
     maps = maps_of(session.revision - 1, world)
     sent_maps = Send(Maps(ask="a", revision=session.revision - 1), maps.frames)
     assert drawn(session, maps) == (session, (sent_maps,))
@@ -334,7 +355,7 @@ def test_while_a_box_is_dragged_maps_on_the_way_are_sent_but_no_offers(world: Wo
 
 def test_an_answer_to_an_older_revision_is_dropped(result: Solved) -> None:
     pose = Inspect(id="i", center=(1.0, 1.0, 0.4), heading=0.0)
-    session, _ = after(DRAWN, SOFA, PutBox(seq=1, box=TABLE), pose)
+    session, _ = after(DRAWN, SOFA, PutBoxes(seq=1, boxes=(TABLE,)), pose)
     assert solved(session, result) == (session, ())
     assert session.inspect == pose
 
@@ -371,7 +392,7 @@ def test_a_pose_examined_in_an_older_scene_is_dropped_and_a_graph_when_unwatched
     graph = Graph(revision=4, nodes=(), edges=())
     assert examined(session, fresh)[1] == (Send(fresh),)
     assert graphed(session, graph)[1] == (Send(graph),)
-    session, _ = after(session, PutBox(seq=1, box=TABLE))
+    session, _ = after(session, PutBoxes(seq=1, boxes=(TABLE,)))
     assert examined(session, fresh)[1] == ()
     assert graphed(session, graph)[1] == (Send(graph),)
     session, _ = after(session, WatchGraph(on=False))
@@ -447,7 +468,7 @@ def test_where_there_is_no_place_a_remedy_is_sought_and_the_answer_comes_again(
     assert helped.no_good_place == msgspec.structs.replace(none, remedy=remedy)
     assert remedied(session, Remedied(helped)) == (session, (Send(helped),))
     assert remedied(session, Remedied(answer)) == (session, ())  # nothing helps
-    edited_since, _ = after(session, PutBox(seq=1, box=TABLE))
+    edited_since, _ = after(session, PutBoxes(seq=1, boxes=(TABLE,)))
     assert remedied(edited_since, Remedied(helped)) == (edited_since, ())
 
 

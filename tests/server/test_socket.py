@@ -28,7 +28,7 @@ from server.protocol import (
     Ping,
     Pong,
     Problem,
-    PutBox,
+    PutBoxes,
     PutRoom,
     PutScene,
     Query,
@@ -66,7 +66,7 @@ def test_every_edit_is_acknowledged_and_its_furniture_pushed_once(url: str) -> N
         assert header == AssetHeader(digest=digest)
         assert glb[:4] == b"glTF"
         twin = msgspec.structs.replace(TABLE, id="twin", center=(1.0, 1.0, 0.35))
-        here.send(PutBox(seq=2, box=twin))
+        here.send(PutBoxes(seq=2, boxes=(twin,)))
         assert here.until(Ack) == Ack(seq=2, revision=2)
         assert here.until(Models).boxes == {"twin": digest}
         assert len(here.frames) == 1
@@ -281,7 +281,7 @@ def test_a_slow_reader_gets_every_acknowledgement_but_only_the_newest_results(ur
         slow.open(SceneRecord(room=ROOM, boxes=boxes))
         slow.send(WatchGraph(on=True), SOFA)
         for i in range(edits):
-            slow.send(PutBox(seq=i + 2, box=boxes[i % 20]))
+            slow.send(PutBoxes(seq=i + 2, boxes=(boxes[i % 20],)))
         last = edits + 1
         acks: list[int] = []
         graphs: list[int] = []

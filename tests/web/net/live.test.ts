@@ -129,7 +129,7 @@ describe("editing", () => {
   test("an edit is sent, acknowledged and no longer unsent", () => {
     const { socket, store } = online();
     store.dispatch({ type: "edit-box", box: box("chair"), done: true });
-    expect(socket.of("put_box")).toMatchObject([{ seq: 2, box: { id: "chair" } }]);
+    expect(socket.of("put_boxes")).toMatchObject([{ seq: 2, boxes: [{ id: "chair" }] }]);
     expect(store.getState().connection.unsent).toBe(1);
     socket.says({ type: "ack", seq: 2, revision: 2 });
     expect(store.getState().connection).toMatchObject({ revision: 2, unsent: 0 });
@@ -146,7 +146,7 @@ describe("editing", () => {
     expect(last().of("hello")).toMatchObject([{ session: "s1", revision: 1 }]);
     last().says({ ...WELCOME, resumed: true, revision: 1 });
     expect(last().of("put_scene")).toEqual([]);
-    expect(last().of("put_box")).toMatchObject([{ box: { id: "chair" } }]);
+    expect(last().of("put_boxes")).toMatchObject([{ boxes: [{ id: "chair" }] }]);
     expect(store.getState().connection.status).toBe("online");
   });
 
@@ -164,7 +164,7 @@ describe("editing", () => {
     store.dispatch({ type: "edit-box", box: box("chair"), done: true });
     socket.says(problem({ seq: 2 }));
     expect(store.getState().notice?.text).toBe("That box is too big. Make it smaller.");
-    expect(socket.of("put_box")).toHaveLength(1);
+    expect(socket.of("put_boxes")).toHaveLength(1);
     expect(store.getState().connection.unsent).toBe(0);
   });
 
@@ -173,7 +173,7 @@ describe("editing", () => {
     store.dispatch({ type: "edit-box", box: box("chair"), done: true });
     socket.says(problem({ seq: 2, code: "too_fast" }));
     vi.advanceTimersByTime(500);
-    expect(socket.of("put_box").map(({ seq }) => seq)).toEqual([2, 3]);
+    expect(socket.of("put_boxes").map(({ seq }) => seq)).toEqual([2, 3]);
     expect(store.getState().notice).toBeNull();
   });
 });

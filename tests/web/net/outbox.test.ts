@@ -22,8 +22,8 @@ const IN_STEP = adopted(EMPTY_OUTBOX, START);
 const withBoxes = (...boxes: readonly BoxRecord[]): SceneRecord => ({ ...START, boxes });
 const moved = (x: number): BoxRecord => ({ ...table, center: [x, 2, 0.4] });
 const short = (edit: Edit): string =>
-  edit.type === "put_box"
-    ? `put ${edit.box.id}`
+  edit.type === "put_boxes"
+    ? `put ${edit.boxes.map(({ id }) => id).join(" ")}`
     : edit.type === "remove_box"
       ? `remove ${edit.id}`
       : edit.type;
@@ -53,7 +53,12 @@ describe("what is sent", () => {
 
   test("a moved box is sent alone, not the one beside it", () => {
     const { sent } = send(IN_STEP, withBoxes(moved(3), chair));
-    expect(sent).toEqual([{ type: "put_box", seq: 1, box: moved(3) }]);
+    expect(sent).toEqual([{ type: "put_boxes", seq: 1, boxes: [moved(3)] }]);
+  });
+
+  test("boxes that move together are sent together", () => {
+    const both = withBoxes(moved(3), { ...chair, center: [3, 2, 0.9] });
+    expect(send(IN_STEP, both).sent.map(short)).toEqual(["put table chair"]);
   });
 
   test("a box that is gone is removed", () => {
@@ -85,10 +90,12 @@ describe("one message at a time about a thing", () => {
   test("while a drag's first move is on its way, only the newest of the others waits", () => {
     const drag = [3, 3.1, 3.2, 3.3].map((x) => withBoxes(moved(x), chair));
     const { outbox, sent } = send(IN_STEP, ...drag);
-    expect(sent).toEqual([{ type: "put_box", seq: 1, box: moved(3) }]);
+    expect(sent).toEqual([{ type: "put_boxes", seq: 1, boxes: [moved(3)] }]);
     const last = drag.at(-1) ?? START;
     const next = send(acknowledged(outbox, 1), last);
-    expect(next.sent).toMatchObject([{ type: "put_box", seq: 2, box: { center: [3.3, 2, 0.4] } }]);
+    expect(next.sent).toMatchObject([
+      { type: "put_boxes", seq: 2, boxes: [{ center: [3.3, 2, 0.4] }] },
+    ]);
     expect(send(acknowledged(next.outbox, 2), last).sent).toEqual([]);
   });
 
@@ -118,7 +125,9 @@ describe("a lost socket", () => {
   test("what was not acknowledged is sent again, with its newest value", () => {
     const { outbox } = send(IN_STEP, withBoxes(moved(3), chair));
     const again = send(lost(outbox), withBoxes(moved(4), chair));
-    expect(again.sent).toMatchObject([{ type: "put_box", seq: 2, box: { center: [4, 2, 0.4] } }]);
+    expect(again.sent).toMatchObject([
+      { type: "put_boxes", seq: 2, boxes: [{ center: [4, 2, 0.4] }] },
+    ]);
   });
 
   test("so is a removal", () => {
@@ -195,7 +204,7 @@ test("whatever is edited, lost and acknowledged, the server ends up with the sce
       server = { room: edit.scene.room, boxes: new Map(edit.scene.boxes.map((b) => [b.id, b])) };
     } else if (server !== null) {
       if (edit.type === "put_room") server.room = edit.room;
-      if (edit.type === "put_box") server.boxes.set(edit.box.id, edit.box);
+      if (edit.type === "put_boxes") for (const box of edit.boxes) server.boxes.set(box.id, box);
       if (edit.type === "remove_box") server.boxes.delete(edit.id);
     }
   };

@@ -3,12 +3,12 @@
  *
  * `advance` compares what the server holds with the scene on this device, by identity of the
  * frozen values, and says what to send. At most one message about a thing is on its way: while a
- * box's edit is not acknowledged, only its newest value waits. What is lost with a socket is sent
- * again.
+ * box's edit is not acknowledged, only its newest value waits. Boxes that change together go
+ * together. What is lost with a socket is sent again.
  */
 import type {
   BoxRecord,
-  PutBox,
+  PutBoxes,
   PutRoom,
   PutScene,
   RemoveBox,
@@ -16,7 +16,7 @@ import type {
   SceneRecord,
 } from "./protocol.gen";
 
-export type Edit = PutScene | PutRoom | PutBox | RemoveBox;
+export type Edit = PutScene | PutRoom | PutBoxes | RemoveBox;
 
 /** More changes than this at once are sent as a whole scene. */
 const MANY = 50;
@@ -48,13 +48,10 @@ export function advance(outbox: Outbox, scene: SceneRecord): Advanced {
   if (outbox.onTheWay.some(({ type }) => type === "put_scene")) return { outbox, edits: [] };
   const { held, nextSeq: seq } = outbox;
   const changes = held === null || !isSameScene(held.scene, scene) ? null : changesOf(held, scene);
-  if (changes === null || changes.length > MANY) {
+  if (changes === null || changes.flatMap(subjectsOf).length > MANY) {
     return sent({ ...outbox, held: holding(scene) }, [{ type: "put_scene", seq, scene }]);
   }
-  const busy = new Set(outbox.onTheWay.map(subjectOf));
-  const edits = changes
-    .filter((edit) => !busy.has(subjectOf(edit)))
-    .map((edit, i) => ({ ...edit, seq: seq + i }));
+  const edits = free(changes, outbox.onTheWay).map((edit, i) => ({ ...edit, seq: seq + i }));
   return sent({ ...outbox, held: edits.reduce(after, held) }, edits);
 }
 
@@ -87,13 +84,23 @@ export function adopted(outbox: Outbox, scene: SceneRecord): Outbox {
   return { ...outbox, held: holding(scene), onTheWay: [] };
 }
 
-/** How many edits are not acknowledged. */
+/** How many changed things are not acknowledged. */
 export function unsent(outbox: Outbox, scene: SceneRecord): number {
   const { held, onTheWay } = outbox;
   if (held === null || !isSameScene(held.scene, scene)) return onTheWay.length + 1;
-  const busy = new Set(onTheWay.map(subjectOf));
-  const waiting = changesOf(held, scene).filter((edit) => !busy.has(subjectOf(edit)));
-  return onTheWay.length + waiting.length;
+  const waiting = free(changesOf(held, scene), onTheWay);
+  return [...onTheWay, ...waiting].flatMap(subjectsOf).length;
+}
+
+/** The changes that are about nothing on its way. */
+function free(changes: readonly Edit[], onTheWay: readonly Edit[]): readonly Edit[] {
+  const busy = new Set(onTheWay.flatMap(subjectsOf));
+  const isFree = (subject: string): boolean => !busy.has(subject);
+  return changes.flatMap((edit): readonly Edit[] => {
+    if (edit.type !== "put_boxes") return subjectsOf(edit).every(isFree) ? [edit] : [];
+    const boxes = edit.boxes.filter(({ id }) => isFree(subjectOf(id)));
+    return boxes.length === 0 ? [] : [{ ...edit, boxes }];
+  });
 }
 
 function sent(outbox: Outbox, edits: readonly Edit[]): Advanced {
@@ -119,12 +126,11 @@ function holding(scene: SceneRecord): Held {
 /** The edits that lead from what is held to the scene, without their numbers yet. */
 function changesOf(held: Held, scene: SceneRecord): readonly Edit[] {
   const present = new Set(scene.boxes.map(({ id }) => id));
+  const boxes = scene.boxes.filter((box) => held.boxes.get(box.id) !== box);
   const seq = 0;
   return [
     ...(held.room === scene.room ? [] : [{ type: "put_room", seq, room: scene.room } as const]),
-    ...scene.boxes
-      .filter((box) => held.boxes.get(box.id) !== box)
-      .map((box) => ({ type: "put_box", seq, box }) as const),
+    ...(boxes.length === 0 ? [] : [{ type: "put_boxes", seq, boxes } as const]),
     ...[...held.boxes.keys()]
       .filter((id) => !present.has(id))
       .map((id) => ({ type: "remove_box", seq, id }) as const),
@@ -132,17 +138,21 @@ function changesOf(held: Held, scene: SceneRecord): readonly Edit[] {
 }
 
 /** What an edit is about: two about the same thing are not on their way at once. */
-function subjectOf(edit: Edit): string {
+function subjectsOf(edit: Edit): readonly string[] {
   switch (edit.type) {
     case "put_scene":
-      return "scene";
+      return ["scene"];
     case "put_room":
-      return "room";
-    case "put_box":
-      return `box ${edit.box.id}`;
+      return ["room"];
+    case "put_boxes":
+      return edit.boxes.map(({ id }) => subjectOf(id));
     case "remove_box":
-      return `box ${edit.id}`;
+      return [subjectOf(edit.id)];
   }
+}
+
+function subjectOf(id: string): string {
+  return `box ${id}`;
 }
 
 /** What is held after an edit. */
@@ -154,8 +164,8 @@ function after(held: Held | null, edit: Edit): Held | null {
       return holding(edit.scene);
     case "put_room":
       return { ...held, room: edit.room };
-    case "put_box":
-      boxes.set(edit.box.id, edit.box);
+    case "put_boxes":
+      for (const box of edit.boxes) boxes.set(box.id, box);
       return { ...held, boxes };
     case "remove_box":
       boxes.delete(edit.id);
@@ -171,9 +181,13 @@ function without(held: Held | null, edit: Edit): Held | null {
       return null;
     case "put_room":
       return { ...held, room: null };
-    case "put_box":
-      return { ...held, boxes: new Map([...held.boxes, [edit.box.id, null]]) };
+    case "put_boxes":
+      return { ...held, boxes: new Map([...held.boxes, ...edit.boxes.map(unknown)]) };
     case "remove_box":
       return { ...held, boxes: new Map([...held.boxes, [edit.id, null]]) };
   }
+}
+
+function unknown({ id }: BoxRecord): readonly [string, null] {
+  return [id, null];
 }

@@ -1,6 +1,7 @@
 // Generated from server/protocol.py by `python -m server.typescript`. Do not edit.
 // Core frame: metres, z up, headings in radians anticlockwise from +x.
 
+export const MAX_BOXES = 500;
 export const SUBPROTOCOL = "scenegen.1";
 export const CLOSE_WRONG_PROTOCOL = 4400;
 export const CLOSE_TOO_MANY_ERRORS = 4401;
@@ -10,7 +11,6 @@ export const MAX_TEXT_BYTES = 1000000;
 export const MAX_ERRORS = 20;
 export const MAX_MESSAGES_A_SECOND = 240;
 export const MAX_SESSIONS_AN_ADDRESS = 32;
-export const MAX_BOXES = 500;
 export const MAX_CORNERS = 200;
 
 export type ModelName = "paper" | "scenegen";
@@ -90,11 +90,15 @@ export interface PutRoom {
   readonly room: RoomRecord;
 }
 
-/** Add a box, or replace the one with its id; sent again and again while it is dragged. */
-export interface PutBox {
-  readonly type: "put_box";
+/**
+ * Add boxes, or replace those with their ids; all of them, or none if one is refused.
+ *
+ * Sent again and again while a box is dragged, with what stands on it.
+ */
+export interface PutBoxes {
+  readonly type: "put_boxes";
   readonly seq: number;
-  readonly box: BoxRecord;
+  readonly boxes: readonly BoxRecord[];
 }
 
 /** Remove a box; removing one that is not there is no error. */
@@ -435,7 +439,7 @@ export type ClientMessage =
   | Hello
   | PutScene
   | PutRoom
-  | PutBox
+  | PutBoxes
   | RemoveBox
   | Ask
   | Inspect
