@@ -11,7 +11,7 @@ rate at which large arrays are copied.
 from __future__ import annotations
 
 import argparse
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from time import perf_counter
 
@@ -19,13 +19,14 @@ import numpy as np
 import rooms
 from numba import njit
 
+from scenegen_core.graph.candidates import Candidates
 from scenegen_core.graph.own_relations import OWN_RELATIONS
 from scenegen_core.graph.relations import measure
 from scenegen_core.graph.situation import Situation
 from scenegen_core.graph.surroundings import Surroundings
 from scenegen_core.knowledge import default_knowledge
 from scenegen_core.placement.answer import Query
-from scenegen_core.placement.blocks import AT_ONCE
+from scenegen_core.placement.blocks import AT_ONCE, block_size
 from scenegen_core.placement.feasible import ALLOWED, Space, verdicts
 from scenegen_core.placement.heat_map import heat_maps, scale
 from scenegen_core.placement.proposals import propose
@@ -105,7 +106,7 @@ def steps() -> Iterator[Step]:
     allowed = verdicts(everything, space) == ALLOWED
     possible = np.flatnonzero(allowed)
     chosen = proposals.candidates[possible]
-    some = [Situation(chosen[i : i + AT_ONCE], around) for i in range(0, len(chosen), AT_ONCE)]
+    some = list(blocks(chosen, around, AT_ONCE))
     features = [measure(OWN_RELATIONS, one) for one in some]
     scores = np.full(len(allowed), -np.inf)
     scores[possible] = np.concatenate([choice.score(one) for one in features])
@@ -118,12 +119,12 @@ def steps() -> Iterator[Step]:
         propose(changed, learnt.category, learnt.usual_size)
 
     def rule() -> None:
-        for i in range(0, tried, 4 * AT_ONCE):
-            verdicts(Situation(proposals.candidates[i : i + 4 * AT_ONCE], around), space)
+        for one in blocks(proposals.candidates, around, 4 * AT_ONCE):
+            verdicts(one, space)
 
     def look() -> None:
-        for i in range(0, left, AT_ONCE):
-            measure(OWN_RELATIONS, Situation(chosen[i : i + AT_ONCE], around))
+        for one in blocks(chosen, around, AT_ONCE):
+            measure(OWN_RELATIONS, one)
 
     yield Step("proposals", tell, 0, tried * 4 * NUMBER)
     yield Step("rules", rule, tried * (boxes + 2) * SEPARATION, tried * 6 * NUMBER)
@@ -141,6 +142,12 @@ def steps() -> Iterator[Step]:
         tried,
         tried * 2 * NUMBER,
     )
+
+
+def blocks(poses: Candidates, around: Surroundings, at_once: int) -> Iterator[Situation]:
+    """The blocks that a map works on with two threads."""
+    size = block_size(len(poses), 2, at_once)
+    return (Situation(poses[i : i + size], around) for i in range(0, len(poses), size))
 
 
 def gaps_alone(runs: int) -> float:
@@ -165,12 +172,12 @@ def main() -> None:
     print(f"| a signed gap | {gap * 1e9:.1f} ns, {GAP / gap / peak:.0%} of the arithmetic |\n")
     print("| step | ms | arithmetic alone, ms | memory alone, ms | of the limit |")
     print("| --- | ---: | ---: | ---: | ---: |")
-    sums = np.zeros(3)
+    rows = []
     for step in steps():
-        row = np.array([seconds(step.work, runs), step.operations / peak, step.bytes / memory])
-        sums += row
-        told(step.name, row)
-    told("all, one core", sums)
+        operations, moved = step.operations / peak, step.bytes / memory
+        rows.append([seconds(step.work, runs), operations, moved, max(operations, moved)])
+        told(step.name, rows[-1])
+    told("all, one core", np.sum(rows, axis=0).tolist())
     scene, knowledge = rooms.living_room(), default_knowledge()
     numbers = iter(range(10_000))
     whole = seconds(
@@ -179,11 +186,10 @@ def main() -> None:
     print(f"| the map, all cores | {1000 * whole:.1f} | | | |")
 
 
-def told(name: str, row: Floats) -> None:
-    """Print a row."""
-    took, operations, moved = 1000 * row
-    share = max(operations, moved) / took
-    print(f"| {name} | {took:.1f} | {operations:.2f} | {moved:.2f} | {share:.0%} |")
+def told(name: str, times: Sequence[float]) -> None:
+    """Print a row: seconds that it took, of arithmetic and memory alone, and of its limit."""
+    took, operations, moved, limit = (1000 * time for time in times)
+    print(f"| {name} | {took:.1f} | {operations:.2f} | {moved:.2f} | {limit / took:.0%} |")
 
 
 if __name__ == "__main__":

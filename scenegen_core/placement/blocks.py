@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from scenegen_core.graph.situation import Situation
 
 AT_ONCE = 8192  # poses at most; more no longer fit into a processor's caches
-FEW = 2048  # poses that are not worth a second thread
+FEW = 2048  # poses; with less for each, more threads cost more than they save
 
 Number = TypeVar("Number", np.float64, np.int64)
 
@@ -27,10 +27,17 @@ def in_blocks(
     Compiled loops run side by side, what is between them does not: few large blocks, and as many
     for each processor.
     """
-    count, threads = len(situation.candidates), cpu_count() or 1
-    if count <= FEW:
+    count = len(situation.candidates)
+    threads = max(1, min(cpu_count() or 1, count // FEW))
+    size = block_size(count, threads, at_once)
+    if size >= count:
         return work(situation)
-    size = ceil(count / (threads * ceil(count / (threads * at_once))))
     parts = [situation[i : i + size] for i in range(0, count, size)]
     with ThreadPoolExecutor(threads) as pool:
         return np.concatenate(list(pool.map(work, parts)))
+
+
+def block_size(count: int, threads: int, at_once: int) -> int:
+    """How many of ``count`` poses a block holds: at most ``at_once``, as many on each thread."""
+    each = ceil(count / threads)
+    return ceil(each / max(ceil(each / at_once), 1))
