@@ -86,8 +86,8 @@ def choice_columns(groups: tuple[Category, ...]) -> tuple[Column, ...]:
 
 @lru_cache(maxsize=8)
 def _edges(named: tuple[Column, ...]) -> Floats:
-    """The edges of every column, filled up with infinity: (columns, BINS − 1)."""
-    table = np.full((len(named), BINS - 1), np.inf)
+    """The edges of every column, filled up with NaN, past which nothing is: (columns, BINS − 1)."""
+    table = np.full((len(named), BINS - 1), np.nan)
     for row, column in zip(table, named, strict=True):
         edges = edges_of(column)
         row[: len(edges)] = np.array(edges) - HAIR
@@ -128,7 +128,7 @@ def _bins(features: Floats, cutting: Cutting) -> Bins:
 
 @njit(cache=True, nogil=True)
 def _cut(features: Floats, edges: Floats, scales: Floats, cells: Bins, out: Bins) -> None:
-    """Without branches, which a processor would guess wrong half of the time."""
+    """The bin of every value; without branches, which a processor would often guess wrong."""
     width, poses = features.shape
     for c in range(width):
         start, scale = scales[c]

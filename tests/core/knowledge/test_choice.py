@@ -78,7 +78,8 @@ def test_bins_are_those_of_a_search_among_the_edges() -> None:
     named = choice_columns(PAPER_CATEGORIES)
     edges = [np.array(edges_of(column)) for column in named]
     beside = np.array([-2e-6, -1e-9, 0.0, 1e-9, 0.004, 0.009])
-    values = [np.sort((own[:, None] + beside).ravel()) for own in edges]
+    far = (-np.inf, -1e9, 1e9, np.inf)
+    values = [np.sort([*(own[:, None] + beside).ravel(), *far]) for own in edges]
     longest = max(len(own) for own in values)
     table = np.array([np.pad(own, (0, longest - len(own)), mode="edge") for own in values])
     expected = [
