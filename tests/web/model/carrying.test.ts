@@ -99,7 +99,9 @@ describe("it goes along", () => {
     const start = begin(all);
     const gone = play(start, { type: "remove-box", id: "table" });
     expect(ids(gone.scene.boxes)).toEqual(["chair", "lamp"]);
-    expect(gone.notice?.text).toBe("The 2 things on it are gone too. Undo brings all back.");
+    expect(gone.notice?.text).toBe(
+      "The 2 things that were on it are gone too. Undo brings all back.",
+    );
     expect(play(gone, { type: "undo" }).scene).toBe(start.scene);
     const selected = play(
       begin([table, tray]),
@@ -107,7 +109,38 @@ describe("it goes along", () => {
       { type: "delete-selected" },
     );
     expect(selected.scene.boxes).toEqual([]);
-    expect(selected.notice?.text).toBe("What stood on it is gone too. Undo brings all back.");
+    expect(selected.notice?.text).toBe("What was on it is gone too. Undo brings all back.");
+  });
+
+  test("no longer once it was taken off, whatever a source says", () => {
+    const source = begin([table, { ...cup, parent: "table" }]);
+    const moved = play(source, drag({ ...cup, parent: "table", center: [2.7, 2.1, 0.85] }, true));
+    expect(boxIn(moved, "cup")?.parent).toBe("table");
+    const off = play(source, drag({ ...cup, parent: "table", center: [4, 1, 0.05] }, true));
+    expect(boxIn(off, "cup")?.parent).toBeNull();
+    const after = play(off, drag({ ...table, center: [2.5, 3, 0.4] }, true));
+    expect(boxIn(after, "cup")?.center).toEqual([4, 1, 0.05]);
+  });
+
+  test("not back with a table that is removed while it is dragged", () => {
+    const removed = play(
+      begin([table, cup]),
+      drag({ ...table, center: [2.6, 2, 0.4] }),
+      { type: "remove-box", id: "table" },
+      drag({ ...table, center: [2.7, 2, 0.4] }),
+    );
+    expect(removed.scene.boxes).toEqual([]);
+  });
+
+  test("with a middle exactly over the edge of the table, on every side", () => {
+    for (const [x, y] of [
+      [2.1, 2],
+      [2.9, 2],
+      [2.5, 1.4],
+      [2.5, 2.6],
+    ] as const) {
+      expect(load(table, { ...cup, center: [x, y, 0.85] })).toEqual(["cup"]);
+    }
   });
 
   test("not when a thing that carries nothing is taken away, and nothing is said", () => {

@@ -133,6 +133,20 @@ test("a length that nothing can have is refused with a sentence, and can be type
   expect(left.labels).toContain("Place it");
 });
 
+test("what is typed is for the thing that it was begun for", () => {
+  const both = inAr(begin([box("a"), box("b", { center: [1, 1, 0.4] })]));
+  const choose = (id: string) => ({ type: "select", selection: { kind: "box", id } }) as const;
+  const typing = panel(play(both, choose("a")), "Width 120", "2").state;
+  const other = panel(play(typing, choose("b")));
+  expect(other.labels).toContain("Width 120");
+  expect(other.labels).not.toContain("OK");
+});
+
+test("OK without a digit asks for one", () => {
+  const asked = panel(inAr(begin()), "Sofa").state;
+  expect(panel(asked, labelOf(asked, "Width"), "OK").title).toBe("Type a number first.");
+});
+
 test("no more digits are taken than a length has", () => {
   const asked = panel(inAr(begin()), "Sofa").state;
   expect(panel(asked, labelOf(asked, "Depth"), "1", "2", "3", "4", "5").title).toBe(

@@ -43,6 +43,17 @@ export function elsewhere(before: State, after: State): State {
   return changeAr(after, { step: "line-up", room: "known", corner: null });
 }
 
+/** A length is typed of one thing, as long as that is what is looked at. */
+export function typingStopped(before: State, after: State): State {
+  const { ar } = after;
+  const isSame =
+    before.selection === after.selection &&
+    before.tool === after.tool &&
+    before.scene.id === after.scene.id &&
+    before.placing?.ask === after.placing?.ask;
+  return ar === null || ar.typing === null || isSame ? after : changeAr(after, { typing: null });
+}
+
 export function leaveAr(state: State): State {
   return state.ar === null ? state : { ...state, ar: null, draft: null, tool: "select" };
 }

@@ -3,13 +3,19 @@
  * scenegen_core/scene/resting.py.
  */
 import type { BoxRecord, SceneRecord } from "../net/protocol.gen";
-import { bottomOf, floorPoint, footprint, headingOf, topOf } from "./footprints";
-import { add, direction, isInside, leftOf, rounded, scale, subtract, wrapped } from "./geometry";
+import { bottomOf, floorPoint, headingOf, isOver, topOf } from "./footprints";
+import { add, direction, leftOf, rounded, scale, subtract, wrapped } from "./geometry";
 import { RESTS } from "./resting";
+import { withoutBoxes } from "./scenes";
 import type { Point } from "./state";
 
 /** Whatever is below, these hang. */
 const HANGS = "Picture";
+
+/** The scene without a box and what stands on it: what stays where it is while the box is moved. */
+export function withoutLoaded(scene: SceneRecord, box: BoxRecord): SceneRecord {
+  return withoutBoxes(scene, [box.id, ...loadOf(scene, box).map(({ id }) => id)]);
+}
 
 /** The boxes on a box, and those on them in turn. */
 export function loadOf(scene: SceneRecord, box: BoxRecord): readonly BoxRecord[] {
@@ -58,17 +64,13 @@ function isCarried(scene: SceneRecord, box: BoxRecord, carrier: BoxRecord): bool
 /** What stands on a rug stands on the floor. */
 function standsOn(box: BoxRecord, carrier: BoxRecord): boolean {
   const onTop = bottomOf(box) > RESTS && Math.abs(bottomOf(box) - topOf(carrier)) <= RESTS;
-  return onTop && box.category !== HANGS && isOver(box, carrier);
+  return onTop && box.category !== HANGS && isOver(carrier, floorPoint(box));
 }
 
 /** As a cushion on the seat of a sofa, below the top of its back. */
 function liesIn(scene: SceneRecord, box: BoxRecord, carrier: BoxRecord): boolean {
   const bottom = bottomOf(box);
   const within = bottomOf(carrier) + RESTS < bottom && bottom < topOf(carrier);
-  if (!within || box.category === HANGS || !isOver(box, carrier)) return false;
+  if (!within || box.category === HANGS || !isOver(carrier, floorPoint(box))) return false;
   return !scene.boxes.some((other) => other.id !== box.id && standsOn(box, other));
-}
-
-function isOver(box: BoxRecord, carrier: BoxRecord): boolean {
-  return isInside(floorPoint(box), footprint(carrier));
 }

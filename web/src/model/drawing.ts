@@ -1,6 +1,6 @@
 /** What a pointer on the floor draws: the outline of a room, boxes, doors and windows. */
 import type { BoxRecord, OpeningRecord } from "../net/protocol.gen";
-import { editBox } from "./editing";
+import { addBox } from "./editing";
 import { floorPoint, headingOf } from "./footprints";
 import {
   add,
@@ -235,7 +235,7 @@ function finishBox(state: State, box: BoxRecord): State {
   const [category = "Other"] = likelyCategories(box.size, state.lists.categories);
   // In the real room one thing after the other is marked.
   const tool = state.ar === null ? "select" : "box";
-  const next = editBox({ ...state, draft: null, tool }, { ...box, category }, true);
+  const next = addBox({ ...state, draft: null, tool }, { ...box, category });
   if (next.scene === state.scene) return next;
   return { ...next, selection: { kind: "box", id: box.id } };
 }

@@ -4,9 +4,10 @@ import {
   MAX_BOXES,
   type OpeningRecord,
   type RoomRecord,
+  type SceneRecord,
 } from "../net/protocol.gen";
 import { loadOf, taken } from "./carrying";
-import { floorPoint, headingOf, movedTo } from "./footprints";
+import { floorPoint, headingOf, isOver, movedTo } from "./footprints";
 import { add, direction, leftOf, roundedPoint, scale, wrapped } from "./geometry";
 import { edited } from "./history";
 import { notified, refused } from "./notices";
@@ -22,19 +23,39 @@ import {
   withoutBoxes,
   withoutOpening,
 } from "./scenes";
+import { selectedBox } from "./selecting";
 import type { Point, State } from "./state";
 import { snappedToWall, withCorners } from "./walls";
 
 /** A copy stands this far beside the original, beyond its width, metres. */
 const BESIDE = 0.1;
 
+/** A box changed, or a new one; one that is gone in the middle of a drag stays gone. */
 export function editBox(state: State, box: BoxRecord, done: boolean): State {
   const old = boxOf(state.scene, box.id);
-  if (old === undefined && state.scene.boxes.length >= MAX_BOXES) {
+  if (old === undefined) return done ? addBox(state, box) : state;
+  const scene = withBox(state.scene, letGo(state.scene, seen(old, box)));
+  return edited(state, withBoxes(scene, along(state, box)), done);
+}
+
+export function addBox(state: State, box: BoxRecord): State {
+  if (state.scene.boxes.length >= MAX_BOXES) {
     return refused(state, `A room holds ${MAX_BOXES} things at most. Remove some first.`);
   }
-  const scene = withBox(state.scene, old === undefined ? box : seen(old, box));
-  return edited(state, withBoxes(scene, along(state, box)), done);
+  return edited(state, withBox(state.scene, box), true);
+}
+
+/** Who turns a thing where it stands has seen its front: it is no guess from the wall any more. */
+function seen(old: BoxRecord, box: BoxRecord): BoxRecord {
+  const stayed = old.center[0] === box.center[0] && old.center[1] === box.center[1];
+  if (!stayed || headingOf(old) === headingOf(box)) return box;
+  return { ...box, front_known: true, front_from_wall: false };
+}
+
+/** Whoever takes a thing away from what it stood on has taken it off. */
+function letGo(scene: SceneRecord, box: BoxRecord): BoxRecord {
+  const parent = box.parent ? boxOf(scene, box.parent) : undefined;
+  return parent === undefined || isOver(parent, floorPoint(box)) ? box : { ...box, parent: null };
 }
 
 /** What a box carried when it was last at rest, as it is now that the box is another. */
@@ -44,13 +65,6 @@ function along({ scene, beforeDrag }: State, box: BoxRecord): readonly BoxRecord
   if (from === undefined) return [];
   const load = loadOf(rest, from).filter(({ id }) => boxOf(scene, id) !== undefined);
   return taken(load, from, box);
-}
-
-/** Who turns a thing where it stands has seen its front: it is no guess from the wall any more. */
-function seen(old: BoxRecord, box: BoxRecord): BoxRecord {
-  const stayed = old.center[0] === box.center[0] && old.center[1] === box.center[1];
-  if (!stayed || headingOf(old) === headingOf(box)) return box;
-  return { ...box, front_known: true, front_from_wall: false };
 }
 
 /** The room changed from a panel (height, kind, a typed length); refused if it is no room. */
@@ -139,7 +153,8 @@ export function removeBox(state: State, id: string): State {
   const load = loadOf(state.scene, box).map((other) => other.id);
   const next = edited(state, withoutBoxes(state.scene, [id, ...load]), true);
   if (load.length === 0) return next;
-  const what = load.length === 1 ? "What stood on it is" : `The ${load.length} things on it are`;
+  const what =
+    load.length === 1 ? "What was on it is" : `The ${load.length} things that were on it are`;
   return notified(next, "info", `${what} gone too. Undo brings all back.`);
 }
 
@@ -152,14 +167,9 @@ export function duplicateSelected(state: State): State {
     ...movedTo(box, roundedPoint(add(floorPoint(box), aside))),
     id: freeId("box", state.scene.boxes),
   };
-  const next = editBox(state, copy, true);
+  const next = addBox(state, copy);
   if (next.scene === state.scene) return next;
   return { ...next, selection: { kind: "box", id: copy.id } };
-}
-
-function selectedBox(state: State): BoxRecord | undefined {
-  const { selection, scene } = state;
-  return selection?.kind === "box" ? boxOf(scene, selection.id) : undefined;
 }
 
 function deleteCorner(state: State, index: number): State {

@@ -19,6 +19,9 @@ export const CONTACT = 0.02;
 /** Things no thicker than this are in nobody's way (rugs), metres. */
 export const FLAT = 0.05;
 
+/** Rounding decides nothing, metres. */
+const DUST = 1e-9;
+
 export const headingOf = (box: Footprint): number => box.heading ?? 0;
 export const bottomOf = (box: BoxRecord): number => box.center[2] - box.size[2] / 2;
 export const topOf = (box: BoxRecord): number => box.center[2] + box.size[2] / 2;
@@ -41,6 +44,15 @@ export function footprint(box: BoxRecord, shrink = 0): readonly Point[] {
   const front = add(center, depth);
   const back = subtract(center, depth);
   return [subtract(front, width), add(front, width), add(back, width), subtract(back, width)];
+}
+
+/** Whether a point lies over the footprint, or no further beyond it than that many metres. */
+export function isOver(box: Footprint, point: Point, beyond = 0): boolean {
+  const ahead = direction(headingOf(box));
+  const from = subtract(point, floorPoint(box));
+  const within = (axis: Point, side: number): boolean =>
+    Math.abs(dot(from, axis)) <= side / 2 + beyond + DUST;
+  return within(ahead, box.size[0]) && within(leftOf(ahead), box.size[1]);
 }
 
 /** How far the footprint reaches from its center in a direction (a unit vector), metres. */

@@ -2,7 +2,16 @@
 import type { SceneRecord } from "../net/protocol.gen";
 import type { Action } from "./actions";
 import { answered, askRefused, inAnotherRoom, inspected, mapped } from "./answers";
-import { carried, changeAr, checkPiece, elsewhere, enterAr, leaveAr, useFound } from "./ar";
+import {
+  carried,
+  changeAr,
+  checkPiece,
+  elsewhere,
+  enterAr,
+  leaveAr,
+  typingStopped,
+  useFound,
+} from "./ar";
 import { confirm, followedUp, stopWaiting } from "./confirming";
 import {
   chooseTool,
@@ -64,7 +73,7 @@ const BY_ITSELF: ReadonlySet<Action["type"]> = new Set([
 ] as const);
 
 export function reduce(state: State, action: Action): State {
-  const next = followedUp(state, followed(state, changed(state, action)));
+  const next = typingStopped(state, followedUp(state, followed(state, changed(state, action))));
   return next.welcome && !BY_ITSELF.has(action.type) ? { ...next, welcome: false } : next;
 }
 

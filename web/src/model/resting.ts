@@ -1,6 +1,15 @@
 /** How high a thing stands or hangs where it is put. */
 import type { BoxRecord, SceneRecord } from "../net/protocol.gen";
-import { bottomOf, FLAT, floorPoint, footprint, headingOf, reach, topOf } from "./footprints";
+import {
+  bottomOf,
+  FLAT,
+  floorPoint,
+  footprint,
+  headingOf,
+  isOver,
+  reach,
+  topOf,
+} from "./footprints";
 import {
   add,
   angleOf,
@@ -8,7 +17,6 @@ import {
   distance,
   dot,
   isInside,
-  leftOf,
   nearestOn,
   scale,
   subtract,
@@ -118,17 +126,11 @@ function hangsOn(wall: Wall, box: BoxRecord): boolean {
 
 function carries(carrier: BoxRecord, box: BoxRecord): boolean {
   if (Math.abs(bottomOf(box) - topOf(carrier)) > RESTS) return false;
-  const ahead = direction(headingOf(carrier));
-  const isOver = (point: Point, over: number): boolean => {
-    const from = subtract(point, floorPoint(carrier));
-    const within = (axis: Point, side: number): boolean =>
-      Math.abs(dot(from, axis)) <= side / 2 + over;
-    return within(ahead, carrier.size[0]) && within(leftOf(ahead), carrier.size[1]);
-  };
-  return isOver(floorPoint(box), 0) && footprint(box).every((corner) => isOver(corner, OVERHANG));
+  const sticksOut = (corner: Point): boolean => !isOver(carrier, corner, OVERHANG);
+  return isOver(carrier, floorPoint(box)) && !footprint(box).some(sticksOut);
 }
 
-/** The pose after a change of size: what stands stays standing, what hangs keeps its middle. */
+/** The pose after a change of size: what stands stays standing, a picture keeps its middle. */
 export function resized(category: string, before: Vector3, after: Vector3, pose: Pose): Pose {
   if (category === "Picture") return pose;
   const [x, y, z] = pose.center;

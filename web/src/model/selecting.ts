@@ -1,10 +1,15 @@
 /** What is selected, and that it is there. */
-import type { SceneRecord } from "../net/protocol.gen";
+import type { BoxRecord, SceneRecord } from "../net/protocol.gen";
 import { boxOf, openingsOf } from "./scenes";
 import type { Selection, State } from "./state";
 
 export function select(state: State, selection: Selection | null): State {
   return { ...state, selection: valid(state.scene, selection) };
+}
+
+/** The box that is selected, if it is one. */
+export function selectedBox({ scene, selection }: State): BoxRecord | undefined {
+  return selection?.kind === "box" ? boxOf(scene, selection.id) : undefined;
 }
 
 /** The selection, or null when the scene no longer has what was selected. */

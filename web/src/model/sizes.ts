@@ -5,7 +5,9 @@ import type { Vector3 } from "./state";
 /** What the lengths of a size are called, in its order. */
 export const LENGTHS = ["Depth", "Width", "Height"] as const;
 
-export type Side = 0 | 1 | 2;
+/** Which of them, as an index. */
+export const SIDES = [0, 1, 2] as const;
+export type Side = (typeof SIDES)[number];
 
 /** The size with another of its lengths, metres. */
 export function withLength(size: Vector3, side: Side, length: number): Vector3 {

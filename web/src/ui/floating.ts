@@ -3,11 +3,12 @@ import type { ArControls, FloatingContent, PanelButton } from "../contract";
 import type { Action } from "../model/actions";
 import { shownRefusal } from "../model/ghost";
 import { likelyCategories } from "../model/labels";
+import { selectedBox } from "../model/selecting";
 import type { Ar, Placing, Point, State } from "../model/state";
 import type { Placement } from "../net/protocol.gen";
 import { arHint, canCapture, foundInWords } from "./ar_words";
 import { placeable } from "./categories";
-import { keypad, keypadTitle, selectedBox, sizeRow } from "./keypad";
+import { keypad, keypadTitle, sizeRow } from "./keypad";
 import { verdictOf } from "./reasons";
 import { begun, ended } from "./words";
 

@@ -1,10 +1,9 @@
 /** Sizes typed on the panel of a device that shows no page: a row to choose from, then a keypad. */
 import type { PanelButton } from "../contract";
 import type { Action } from "../model/actions";
-import { boxOf } from "../model/scenes";
-import { LENGTHS, type Side, sized, withLength } from "../model/sizes";
+import { selectedBox } from "../model/selecting";
+import { LENGTHS, SIDES, sized, withLength } from "../model/sizes";
 import type { State, Typing } from "../model/state";
-import type { BoxRecord } from "../net/protocol.gen";
 import { parseLength, shown } from "./lengths";
 
 /** More digits are no length of furniture in centimetres. */
@@ -13,19 +12,13 @@ const ROWS = ["12345", "67890"] as const;
 
 type Press = (label: string, action: Action, primary?: boolean) => PanelButton;
 
-/** The box that is selected. */
-export function selectedBox({ scene, selection }: State): BoxRecord | undefined {
-  return selection?.kind === "box" ? boxOf(scene, selection.id) : undefined;
-}
-
 /** "Depth 90", "Width 200", "Height 80": each opens the keypad. */
 export function sizeRow(state: State, press: Press): readonly PanelButton[] {
   const size = state.placing?.size ?? selectedBox(state)?.size;
   if (size === undefined) return [];
-  return LENGTHS.map((name, i) => {
-    const side = i as Side;
-    return press(`${name} ${shown(size[side], "cm")}`, typed({ side, digits: "" }));
-  });
+  return SIDES.map((side) =>
+    press(`${LENGTHS[side]} ${shown(size[side], "cm")}`, typed({ side, digits: "" })),
+  );
 }
 
 /** "Width: 214 cm", or what to do while nothing is typed. */
@@ -55,7 +48,10 @@ export function keypad(
 
 /** What comes of the typed length; of one that nothing can have, the reason. */
 function takenOver(state: State, { side, digits }: Typing): readonly Action[] {
-  const length = parseLength(digits, "cm");
+  const length =
+    digits === ""
+      ? ({ ok: false, problem: "Type a number first." } as const)
+      : parseLength(digits, "cm");
   if (!length.ok) return [{ type: "notify", tone: "problem", text: length.problem }];
   const { placing } = state;
   const box = selectedBox(state);

@@ -2,7 +2,7 @@
 import { html, nothing, type TemplateResult } from "lit";
 import { shownRefusal } from "../model/ghost";
 import { usualSize } from "../model/labels";
-import { LENGTHS, type Side, withLength } from "../model/sizes";
+import { LENGTHS, SIDES, type Side, withLength } from "../model/sizes";
 import type { Mode, Placing, State, Vector3 } from "../model/state";
 import { formatSize } from "../model/units";
 import type { ModelName } from "../net/protocol.gen";
@@ -158,14 +158,14 @@ function size({ state, dispatch }: Page, placing: Placing): TemplateResult {
   return html`<details class="more size">
     <summary><span>Size</span><span class="quiet">${formatSize(placing.size)}</span></summary>
     <div class="fields" role="group" aria-label="Size">
-      ${LENGTHS.map((label, i) =>
+      ${SIDES.map((side) =>
         lengthField({
-          id: `place-${label.toLowerCase()}`,
-          label,
+          id: `place-${LENGTHS[side].toLowerCase()}`,
+          label: LENGTHS[side],
           unit: "cm",
-          value: placing.size[i as Side],
+          value: placing.size[side],
           step: SIZE_STEP,
-          change: (length) => change(i as Side, length),
+          change: (length) => change(side, length),
         }),
       )}
     </div>

@@ -1,7 +1,7 @@
 /** What is selected, and its numbers to type. */
 import { html, nothing, type TemplateResult } from "lit";
 import { likelyCategories } from "../model/labels";
-import { LENGTHS, type Side, sized } from "../model/sizes";
+import { LENGTHS, SIDES, sized } from "../model/sizes";
 import type { Point } from "../model/state";
 import { formatAngle } from "../model/units";
 import type { BoxRecord } from "../net/protocol.gen";
@@ -64,14 +64,14 @@ function whatIsIt(
 
 function sizeFields(box: BoxRecord, edit: (change: Partial<BoxRecord>) => void): TemplateResult {
   return html`<div class="fields" role="group" aria-label="Size">
-    ${LENGTHS.map((label, i) =>
+    ${SIDES.map((side) =>
       lengthField({
-        id: `box-${label.toLowerCase()}`,
-        label,
+        id: `box-${LENGTHS[side].toLowerCase()}`,
+        label: LENGTHS[side],
         unit: "cm",
-        value: box.size[i as Side],
+        value: box.size[side],
         step: STEP,
-        change: (length) => edit(sized(box, i as Side, length)),
+        change: (length) => edit(sized(box, side, length)),
       }),
     )}
   </div>`;

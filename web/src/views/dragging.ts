@@ -1,10 +1,12 @@
 /** What dragging the body of a thing does: boxes, the ghost, doors and windows. Pure; core frame. */
 
 import type { Action } from "../model/actions";
+import { withoutLoaded } from "../model/carrying";
 import { bottomOf, floorPoint, headingOf, movedTo } from "../model/footprints";
 import { add, roundedPoint, type Segment, subtract } from "../model/geometry";
 import { ghostBox } from "../model/ghost";
 import { settled } from "../model/resting";
+import { boxOf } from "../model/scenes";
 import { snapBox } from "../model/snapping";
 import type { Point, State } from "../model/state";
 import type { BoxRecord, SceneRecord } from "../net/protocol.gen";
@@ -64,18 +66,24 @@ export function drag(
   if (!moved) {
     return null;
   }
-  const { box, guides } = hangs(moved)
-    ? { box: moved, guides: [] }
-    : snapBox(state.scene, moved, free);
+  const rest = grip.ghost ? state.scene : withoutLoaded(state.beforeDrag ?? state.scene, grip.box);
+  const { box, guides } = hangs(moved) ? { box: moved, guides: [] } : snapBox(rest, moved, free);
   if (grip.ghost) {
     const pose = { center: box.center, heading: headingOf(box) };
     return { action: { type: "drag-ghost", pose, done }, guides };
   }
   const at = { center: box.center, heading: headingOf(box) };
-  const center = follows(state.scene, grip.box)
-    ? settled(without(state.scene, box), box.category, box.size, at).center
+  const center = follows(rest, grip.box)
+    ? settled(rest, box.category, box.size, at).center
     : box.center;
   return { action: { type: "edit-box", box: { ...box, center }, done }, guides };
+}
+
+/** The end of a drag: what it did last, once and for all; nothing if its box is gone meanwhile. */
+export function finished({ scene }: State, last: Action): readonly Action[] {
+  if (!("done" in last)) return [];
+  const isGone = last.type === "edit-box" && boxOf(scene, last.box.id) === undefined;
+  return isGone ? [] : [{ ...last, done: true }];
 }
 
 function movedBox(
@@ -108,14 +116,10 @@ function hung(scene: SceneRecord, box: BoxRecord, ray: Ray): BoxRecord | null {
 }
 
 /** Whether the box rests where things of its kind do, and so goes up and down with the ground. */
-function follows(scene: SceneRecord, box: BoxRecord): boolean {
+function follows(rest: SceneRecord, box: BoxRecord): boolean {
   const pose = { center: box.center, heading: headingOf(box) };
-  const rest = settled(without(scene, box), box.category, box.size, pose);
-  return Math.abs(rest.center[2] - box.center[2]) < RESTS;
-}
-
-function without(scene: SceneRecord, { id }: BoxRecord): SceneRecord {
-  return { ...scene, boxes: scene.boxes.filter((box) => box.id !== id) };
+  const { center } = settled(rest, box.category, box.size, pose);
+  return Math.abs(center[2] - box.center[2]) < RESTS;
 }
 
 function dragOpening(

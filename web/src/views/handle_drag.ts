@@ -1,6 +1,7 @@
 /** What dragging a handle does. Pure; core frame, metres. */
 
 import type { Action } from "../model/actions";
+import { withoutLoaded } from "../model/carrying";
 import { bottomOf, floorPoint, headingOf } from "../model/footprints";
 import {
   add,
@@ -107,11 +108,7 @@ function changedBox(
   }
   return spot.kind === "turn"
     ? turned(box, at, free)
-    : resized(box, spot.side, snapPoint(withoutBox(state, box), at, free));
-}
-
-function withoutBox(state: State, box: BoxRecord) {
-  return { ...state.scene, boxes: state.scene.boxes.filter(({ id }) => id !== box.id) };
+    : resized(box, spot.side, snapPoint(withoutLoaded(state.scene, box), at, free));
 }
 
 function taller(box: BoxRecord, top: number, ceiling: number): BoxRecord {

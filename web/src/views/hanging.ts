@@ -1,4 +1,7 @@
-/** What hangs on a wall, and so goes out of sight with it. Pure; core frame. */
+/**
+ * Pictures and televisions on a wall, which are dragged over it and go out of sight with it; a
+ * cupboard that hangs is a box like others. Pure; core frame.
+ */
 import { bottomOf, headingOf } from "../model/footprints";
 import type { Vector3 } from "../model/state";
 import type { BoxRecord } from "../net/protocol.gen";

@@ -1,7 +1,7 @@
 import type { Action } from "../model/actions";
 import type { State } from "../model/state";
 import { cursorOf, isChosen } from "./chosen";
-import { drag } from "./dragging";
+import { drag, finished } from "./dragging";
 import { type Gesture, gestureAt, spotAt } from "./gesture";
 import { dragSpot } from "./handle_drag";
 import { type Pad, rayOf } from "./pad";
@@ -172,8 +172,8 @@ export class Pointer {
       this.#pencil.draw("draw-up", state, event.altKey, rayOf(this.#pad, event));
     } else if (gesture.kind === "height") {
       this.#pencil.finishHeight(state);
-    } else if (last && "done" in last) {
-      this.#dispatch({ ...last, done: true });
+    } else if (last) {
+      this.#do(finished(state, last));
       this.#do(gesture.kind === "spot" ? selectCorner(gesture.spot) : []);
     } else if (!moved && event.type === "pointerup") {
       this.#do(tap(state, gesture, rayOf(this.#pad, event)));

@@ -116,6 +116,8 @@ function solidOf(scene: Object3D): Solid {
     if (material instanceof MeshStandardMaterial && !material.map && !material.transparent) {
       plain.push(painted(geometry, material.color));
     } else {
+      // Without anything to be reflected, metal would be black.
+      if (material instanceof MeshStandardMaterial) material.metalness = 0;
       others.push({ geometry, material });
     }
   });

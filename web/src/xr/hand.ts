@@ -4,9 +4,10 @@ import type { Action } from "../model/actions";
 import { floorPoint, headingOf } from "../model/footprints";
 import { angleOf, distance, subtract, wrapped } from "../model/geometry";
 import { GHOST, ghostBox } from "../model/ghost";
+import { selectedBox } from "../model/selecting";
 import type { Point, State } from "../model/state";
 import type { BoxRecord } from "../net/protocol.gen";
-import { drag } from "../views/dragging";
+import { drag, finished } from "../views/dragging";
 import { type Finger, type Gesture, gestureAt } from "../views/gesture";
 import { dragSpot } from "../views/handle_drag";
 import type { Pad } from "../views/pad";
@@ -84,7 +85,7 @@ export class Hand {
     if (press === undefined) return;
     this.#pad.guide([]);
     this.#turn = null;
-    if (press.last && "done" in press.last) this.#dispatch({ ...press.last, done: true });
+    if (press.last) for (const action of finished(this.#state, press.last)) this.#dispatch(action);
     else if (!press.paired && (press.gesture === null || !press.moved)) this.tap(ray);
   }
 
@@ -173,9 +174,7 @@ export class Hand {
 /** What a turn is about: the ghost, else the box that is selected. */
 function turnable(state: State): BoxRecord | null {
   if (state.placing !== null) return ghostBox(state);
-  const { selection, scene } = state;
-  if (selection?.kind !== "box") return null;
-  return scene.boxes.find(({ id }) => id === selection.id) ?? null;
+  return selectedBox(state) ?? null;
 }
 
 function turned(box: BoxRecord, from: Turn, angle: number): Action {
