@@ -137,21 +137,27 @@ def _neighbor(situation: Situation, faced: Box | None) -> Box | None:
     boxes = situation.surroundings.scene.boxes
     told = [
         (gap, index)
-        for index, gap in enumerate(situation.gaps[0].round(DUST).tolist())
+        for index, gap in enumerate(_gaps(situation).tolist())
         if boxes[index].category not in unasked
         and gap <= NEIGHBOR
-        and (boxes[index] is not faced or gap <= 0)
-        and (not stands or gap > 0)
+        and (boxes[index] is not faced or gap < 0)
+        and (not stands or gap >= 0)
     ]
     return boxes[min(told)[1]] if told else None
 
 
 def _beside(situation: Situation, box: Box) -> str:
     """How it stands to a box near by."""
-    gap = float(situation.gaps[0, situation.surroundings.scene.boxes.index(box)])
-    if gap <= 0:
+    index = situation.surroundings.scene.boxes.index(box)
+    gap = float(situation.gaps[0, index])
+    if _gaps(situation)[index] < 0:
         return f"{lies_to(situation, box)} the {spoken(box)}"
     return f"next to the {spoken(box)}" if gap < BESIDE else f"{metres(gap)} from the {spoken(box)}"
+
+
+def _gaps(situation: Situation) -> Floats:
+    """The gaps of the single pose; what touches is at 0, wherever rounding puts it: (m,)."""
+    return np.asarray(situation.gaps[0].round(DUST), dtype=np.float64)
 
 
 def lies_to(situation: Situation, box: Box) -> str:
@@ -173,7 +179,7 @@ def faced_from(situation: Situation) -> Box | None:
     around = situation.surroundings
     toward = directions(situation.candidates.headings)[0]
     ahead = (around.centers[:, :2] - situation.candidates.centers[0, :2]) @ toward > 0
-    gap = situation.gaps[0]
+    gap = _gaps(situation)
     seen = [
         (FACING_GROUPS.index(box.category), gap[index], index)
         for index, box in enumerate(around.scene.boxes)
@@ -181,6 +187,6 @@ def faced_from(situation: Situation) -> Box | None:
         and situation.faces[0, index]
         and ahead[index]
         and gap[index] < IN_VIEW
-        and (gap[index] > 0 or lies_to(situation, box) == "at")
+        and (gap[index] >= 0 or lies_to(situation, box) == "at")
     ]
     return around.scene.boxes[min(seen)[2]] if seen else None
