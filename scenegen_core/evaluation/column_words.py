@@ -54,6 +54,8 @@ OF_ONE = {
     "lateral": "how far aside {one} lies, seen from it, m",
     "beside": "beyond the side of {one}, m",
     "on": "does it stand on one of the {several}?",
+    "top": "how high {one} reaches, m",
+    "long": "longer side of {one}, m",
 }
 """By part, where the relation is to the nearest of a kind."""
 

@@ -21,6 +21,7 @@ DEEP = 0.5  # metres; how deep in something a pose lies says no more
 TOUCHING = 0.1  # metres; nearer things touch (bounding boxes err)
 FLUSH = 0.12  # metres; nearer to a wall is against it (skirting)
 NEAR = 1.0  # metres; the paper's ε
+IN_VIEW = 2.0  # metres; how large a thing is that is further away does not count
 COMMON_HEIGHT = 0.01  # metres; things that share less height pass over each other
 FLAT = 0.05  # metres; flatter things lie under everything (rugs)
 STANDS = 0.06  # metres; an underside this close to an upper side stands on it
@@ -35,7 +36,8 @@ FREE_PARTS = (
     "behind", "ahead", "side", "far side", "centered", "nearest", "touching", "within a metre",
 )  # fmt: skip
 NEIGHBOR_PARTS = (
-    "gap", "near", "before", "offset", "bearing", "turn", "faced", "lateral", "beside", "on",
+    "gap", "near", "before", "offset", "bearing", "turn", "faced", "lateral", "beside", "on", "top",
+    "long",
 )  # fmt: skip
 OPENING_PARTS = ("gap", "bearing", "offset")
 

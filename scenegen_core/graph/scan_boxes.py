@@ -11,6 +11,7 @@ from scenegen_core.graph.scan import (
     DEEP,
     FAR,
     FLAT,
+    IN_VIEW,
     NEAR,
     NEIGHBOR_PARTS,
     PARALLEL,
@@ -115,7 +116,7 @@ def look_at_neighbors(
     out: Floats,
     beyond: Floats,
 ) -> None:
-    """NEIGHBOR_PARTS of the nearest member of each group: (groups * 10, poses).
+    """NEIGHBOR_PARTS of the nearest member of each group: (groups * 12, poses).
 
     A box of no group (−1) is not looked at; a group without members leaves NaN. Bearings as their
     y, with the x in ``beyond`` (groups, poses).
@@ -146,6 +147,7 @@ def look_at_neighbors(
             symmetric,
             boxes,
             box_headings,
+            box_tops,
             fronts_known,
             which,
             rows,
@@ -160,6 +162,7 @@ def _look_at_nearest(
     symmetric: bool,  # noqa: FBT001
     boxes: Floats,
     box_headings: Floats,
+    box_tops: Floats,
     fronts_known: Bools,
     which: Ints,
     rows: Floats,
@@ -187,6 +190,9 @@ def _look_at_nearest(
         rows[6, n] = (1.0 if faced else 0.0) if front else np.nan
         rows[7, n] = min(abs(dy * cos[n] - dx * sin[n]), FAR)
         rows[8, n] = between(-1.0, beside, FAR)
+        in_view = rows[0, n] < IN_VIEW - TIE
+        rows[10, n] = box_tops[k] if in_view else np.nan
+        rows[11, n] = 2 * max(half_depth, half_width) if in_view else np.nan
 
 
 @compiled

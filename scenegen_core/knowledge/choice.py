@@ -56,8 +56,8 @@ AREAS = (4, 6, 8, 10, 12, 14, 16, 18, 20, 24, 28, 32, 40, 50, 70)
 
 _BY_PART = {
     "turn": ANGLES, "bearing": ANGLES, "near": COUNTS, "flush": COUNTS, "touching": COUNTS,
-    "within a metre": COUNTS, "on": FLAG, "faced": FLAG, "centered": SHARES, "depth": SIZES,
-    "width": SIZES, "height": SIZES, "room": AREAS,
+    "within a metre": COUNTS, "on": FLAG, "faced": FLAG, "centered": SHARES, "top": HEIGHTS,
+    "long": SIZES, "depth": SIZES, "width": SIZES, "height": SIZES, "room": AREAS,
 }  # fmt: skip
 _BY_RELATION = {"H": HEIGHTS}
 
@@ -66,6 +66,7 @@ MEASURED_WITH = {
     "deep": scan.DEEP,
     "touching": scan.TOUCHING,
     "flush": scan.FLUSH,
+    "in view": scan.IN_VIEW,
     "edges": float(crc32(repr((_BY_PART, _BY_RELATION, LENGTHS, SHARES)).encode())),
 }
 """The constants that tables depend on; of the edges a checksum."""

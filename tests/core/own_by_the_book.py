@@ -27,6 +27,7 @@ FAR = 4.0  # metres; nothing is told to be further
 AGAINST_WALL = 0.12  # metres
 TOUCHES = 0.1  # metres
 NEARBY = 1.0  # metres
+IN_VIEW = 2.0  # metres; of what is further away the size is not told
 
 
 def clamp(low: float, value: float, high: float) -> float:
@@ -184,6 +185,7 @@ def neighbor(
     """The nearest member of a group, each seen from the other."""
     parts = (
         "gap", "near", "before", "offset", "bearing", "turn", "faced", "lateral", "beside", "on",
+        "top", "long",
     )  # fmt: skip
     if not members:
         return {(name, group, part): nan for part in parts}
@@ -218,6 +220,8 @@ def neighbor(
             gap < -0.01 and abs(box.bottom - below.top) < 0.06
             for gap, below in zip(gaps, members, strict=True)
         ),
+        "top": other.top if min(gaps) < IN_VIEW - TIE else nan,
+        "long": max(other.size[:2]) if min(gaps) < IN_VIEW - TIE else nan,
     }
     return {(name, group, part): float(value) for part, value in values.items()}
 

@@ -167,6 +167,9 @@ LIVING = room(SOFA, TELLY, BOARD, TABLE, CHAIR, FAR_CHAIR, doors=(DOOR,), window
         ("tv", ("N", "Storage", "turn"), 0),
         ("tv", ("N", "Table", "on"), 0),
         ("chair", ("N", "Table", "gap"), 0.05),
+        ("chair", ("N", "Table", "top"), 0.75),
+        ("chair", ("N", "Table", "long"), 1.4),
+        ("sofa", ("N", "TV", "long"), nan),  # 2.75 m away
         ("chair", ("N", "Table", "before"), 0.3),
         ("chair", ("N", "Table", "faced"), nan),  # a table has no front
         ("sofa", ("N", "Bed", "gap"), nan),

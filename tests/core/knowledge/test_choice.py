@@ -91,7 +91,7 @@ def test_bins_are_those_of_a_search_among_the_edges() -> None:
 
 def test_each_group_has_a_column_for_each_part_of_a_neighbor() -> None:
     groups = [c.group for c in choice_columns(PAPER_CATEGORIES) if c.relation == "N"]
-    assert len(groups) == 9 * 10
+    assert len(groups) == 9 * 12
     assert set(groups) == {group.name for group in PAPER_CATEGORIES}
 
 
