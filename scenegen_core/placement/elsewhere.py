@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from math import atan2, pi
+from math import atan2, hypot, pi
 
 import numpy as np
 
@@ -24,24 +24,33 @@ TRIES = 60  # poses whose ways are checked before giving up
 APART = 0.1  # metres; poses this near to one that closes a way close it too
 STILL = 0.03  # metres and
 STRAIGHT = pi / 36  # radians that nobody would tell
-MOSTLY = 0.5  # share of a way by which a gap grows or shrinks to be told by it
+MOSTLY = 0.95  # share of a way by which a gap grows or shrinks to be told by it
+ASIDE = 0.1  # metres that a way may end beside the one that is told
+EIGHTH = pi / 4
+LIKELIER = 0.1  # metres further that one would carry a thing to a place e times as likely
 
 Thing = tuple[str, Rectangles]
 """What a way leads from or to: its name and its one footprint."""
 
 
 def nearest_possible(
-    pose: Candidates, possible: Candidates, space: Space, walking: Walking, symmetry: Symmetry
+    pose: Candidates,
+    possible: Candidates,
+    scores: Floats,
+    space: Space,
+    walking: Walking,
+    symmetry: Symmetry,
 ) -> Candidates | None:
     """The pose that is least work to move and turn a single pose to; None if there is none.
 
-    Tried are poses near by that are turned as it is, then the ``possible`` ones.
+    Tried are poses near by that are turned as it is, then the ``possible`` ones with their log
+    ``scores``, (n,): for a likelier place one goes a little further.
     """
     around = _poses_around(pose)
     free = around[verdicts(Situation(around, space.around), space) == ALLOWED]
-    for candidates in (free, possible):
+    for candidates, worth in ((free, np.zeros(len(free))), (possible, LIKELIER * scores)):
         refused: list[Floats] = []
-        for index in np.argsort(efforts(pose, candidates, symmetry), kind="stable"):
+        for index in np.argsort(efforts(pose, candidates, symmetry) - worth, kind="stable"):
             single = candidates[index : index + 1]
             center = single.centers[0]
             if any(np.hypot(*(center - old)[:2]) < APART for old in refused):
@@ -82,7 +91,7 @@ def way(start: Candidates, end: Candidates, category: Category, by: Thing | None
     moved = float(np.hypot(east, north))
     parts = []
     if moved >= STILL:
-        parts.append(f"{length(moved)} {_direction(start, end, moved, by)}")
+        parts.append(_told_by(start, end, moved, by) or _on_the_plan(east, north))
     if abs(up) >= STILL:
         parts.append(f"{length(abs(up))} {'higher' if up > 0 else 'lower'}")
     turned = abs(float(wrapped(end.headings - start.headings)[0]))
@@ -99,14 +108,29 @@ def length(metres: float) -> str:
     return f"{metres:.1f} m" if metres >= LONG else f"{max(1, round(metres * 20)) * 5} cm"
 
 
-def _direction(start: Candidates, end: Candidates, moved: float, by: Thing | None) -> str:
-    if by is not None:
-        name, shape = by
-        grown = float((gaps(end.footprints, shape) - gaps(start.footprints, shape))[0, 0])
-        if abs(grown) >= MOSTLY * moved:
-            return f"{'further from' if grown > 0 else 'closer to'} {name}"
-    east, north, _ = (end.centers - start.centers)[0].tolist()
-    return f"to the {compass(atan2(north, east))}"
+def _told_by(start: Candidates, end: Candidates, moved: float, by: Thing | None) -> str:
+    """The way as one straight to a thing or away from it; empty if it is none."""
+    if by is None:
+        return ""
+    name, shape = by
+    grown = float((gaps(end.footprints, shape) - gaps(start.footprints, shape))[0, 0])
+    if abs(grown) < MOSTLY * moved:
+        return ""
+    return f"{length(moved)} {'further from' if grown > 0 else 'closer to'} {name}"
+
+
+def _on_the_plan(east: float, north: float) -> str:
+    """The way by the compass: "1.5 m to the east and 60 cm to the north"."""
+    angle = atan2(north, east)
+    off = abs(angle - round(angle / EIGHTH) * EIGHTH) * hypot(east, north)
+    if off < ASIDE:
+        return f"{length(hypot(east, north))} to the {compass(angle)}"
+    ways = [
+        (abs(east), "east" if east > 0 else "west"),
+        (abs(north), "north" if north > 0 else "south"),
+    ]
+    (most, first), (least, second) = sorted(ways, reverse=True)
+    return f"{length(most)} to the {first} and {length(least)} to the {second}"
 
 
 def in_the_way(rule: str, situation: Situation) -> Thing | None:

@@ -67,7 +67,12 @@ class Inspector:
 
     def _way_out(self, situation: Situation, rule: str) -> Elsewhere | None:
         end = nearest_possible(
-            situation.candidates, self.possible, self.space, self.walking, self.category.symmetry
+            situation.candidates,
+            self.possible,
+            self.scores,
+            self.space,
+            self.walking,
+            self.category.symmetry,
         )
         by = in_the_way(rule, situation)
         return None if end is None else elsewhere(situation, end, self.category, by)

@@ -7,7 +7,7 @@ from math import isnan, pi
 
 from scenegen_core.graph.scan import FAR, FLUSH, TOUCHING
 from scenegen_core.graph.wording import metres, noun, spoken
-from scenegen_core.scene.model import Box
+from scenegen_core.scene.model import OTHER, Box
 
 Measured = Mapping[str, float]
 """The columns of a relation by their parts; NaN where there is nothing to measure to."""
@@ -91,7 +91,8 @@ def mirror(seen: Measured, *, fronted: bool) -> str:  # noqa: ARG001
 def neighbor(group: str, seen: Measured, members: Sequence[Box], *, fronted: bool) -> str:
     """How it stands to the nearest member of a group."""
     if isnan(seen["gap"]):
-        return f"no {noun(group)} in the room"
+        kind = "thing of any other kind" if group == OTHER else noun(group)
+        return f"no {kind} in the room"
     name = f"the {spoken(members[0])}" if len(members) == 1 else f"the nearest {noun(group)}"
     if seen["on"]:
         return f"on {name}"

@@ -15,7 +15,7 @@ from scenegen_core.placement.solve import solve
 from scenegen_core.placement.what_if import what_matters
 from scenegen_core.scene.model import Scene
 
-NOTHING_HELPS = "No smaller size, no thing less and no rule less would give it one."
+NOTHING_HELPS = "Neither 70 % of its size, nor one thing less, nor one rule less would give it one."
 
 
 @dataclass(frozen=True, slots=True)
