@@ -99,9 +99,7 @@ describe("it goes along", () => {
     const start = begin(all);
     const gone = play(start, { type: "remove-box", id: "table" });
     expect(ids(gone.scene.boxes)).toEqual(["chair", "lamp"]);
-    expect(gone.notice?.text).toBe(
-      "The 2 things that were on it are gone too. Undo brings all back.",
-    );
+    expect(gone.notice?.text).toBe("With it went the 2 things on it. Undo brings all back.");
     expect(play(gone, { type: "undo" }).scene).toBe(start.scene);
     const selected = play(
       begin([table, tray]),
@@ -109,7 +107,7 @@ describe("it goes along", () => {
       { type: "delete-selected" },
     );
     expect(selected.scene.boxes).toEqual([]);
-    expect(selected.notice?.text).toBe("What was on it is gone too. Undo brings all back.");
+    expect(selected.notice?.text).toBe("With it went something else. Undo brings both back.");
   });
 
   test("no longer once it was taken off, whatever a source says", () => {
@@ -143,9 +141,10 @@ describe("it goes along", () => {
     }
   });
 
-  test("not when a thing that carries nothing is taken away, and nothing is said", () => {
-    const gone = play(begin(all), { type: "remove-box", id: "cup" });
-    expect(ids(gone.scene.boxes)).toEqual(["chair", "lamp", "table", "tray"]);
-    expect(gone.notice).toBeNull();
+  test("not when a thing that carries nothing is taken away", () => {
+    const gone = play(begin(all), { type: "remove-box", id: "lamp" });
+    expect(ids(gone.scene.boxes)).toEqual(["chair", "cup", "table", "tray"]);
+    expect(gone.notice?.text).toBe("Without the decor piece now. Undo brings it back.");
+    expect(play(gone, { type: "undo" }).notice).toBeNull();
   });
 });

@@ -43,6 +43,28 @@ describe("boxes", () => {
     expect(moved).toMatchObject({ front_from_wall: true, front_known: false });
   });
 
+  test("a long drawn box that is called a sofa is wide, its back to the nearer wall", () => {
+    const long = box("long", {
+      size: [1.8, 0.6, 0.8],
+      center: [2.5, 3, 0.4],
+      front_from_wall: true,
+    });
+    const called = (category: string) =>
+      play(begin([long]), { type: "edit-box", box: { ...long, category }, done: true }).scene
+        .boxes[0];
+    // The north wall is at y = 4: the front looks south.
+    expect(called("Sofa")).toMatchObject({ size: [0.6, 1.8, 0.8], center: [2.5, 3, 0.4] });
+    expect(called("Sofa")?.heading).toBeCloseTo(-Math.PI / 2, 12);
+    expect(called("Bed")).toMatchObject({ size: [1.8, 0.6, 0.8], heading: 0 });
+    const seen = { ...long, front_from_wall: false };
+    const kept = play(begin([seen]), {
+      type: "edit-box",
+      box: { ...seen, category: "Sofa" },
+      done: true,
+    });
+    expect(kept.scene.boxes[0]?.size).toEqual([1.8, 0.6, 0.8]);
+  });
+
   test("deleting removes the selected box and deselects it", () => {
     const deleted = play(onTable, { type: "delete-selected" });
     expect(deleted.scene.boxes).toEqual([]);

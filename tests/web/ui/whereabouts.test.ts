@@ -1,7 +1,7 @@
 import { describe, expect, test } from "vitest";
+import { compass } from "../../../web/src/model/compass";
 import {
   boxInWords,
-  compass,
   nearestWallInWords,
   openingInWords,
   placedInWords,

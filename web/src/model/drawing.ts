@@ -1,7 +1,7 @@
 /** What a pointer on the floor draws: the outline of a room, boxes, doors and windows. */
 import type { BoxRecord, OpeningRecord } from "../net/protocol.gen";
 import { addBox } from "./editing";
-import { floorPoint, headingOf } from "./footprints";
+import { backed } from "./fronts";
 import {
   add,
   angleOf,
@@ -11,7 +11,6 @@ import {
   dot,
   leftOf,
   length,
-  nearestOn,
   rounded,
   roundedPoint,
   scale,
@@ -27,7 +26,7 @@ import { anticlockwise, assisted, outlineProblem, withNextCorner } from "./outli
 import { freeId } from "./scenes";
 import { snapPoint } from "./snapping";
 import type { Draft, Point, State, Tool } from "./state";
-import { headingFromWall, nearestWall, snappedToWall } from "./walls";
+import { headingFromWall, snappedToWall } from "./walls";
 
 /** A box drawn with a shorter side was a slip, metres. */
 const MIN_SIDE = 0.05;
@@ -187,21 +186,6 @@ function across(draft: { readonly start: Point }, side: Point, at: Point): Point
   const run = subtract(side, draft.start);
   const out = leftOf(scale(run, 1 / length(run)));
   return roundedPoint(add(side, scale(out, dot(subtract(at, side), out))));
-}
-
-/** The same box with its back on the side that is nearest to a wall. */
-function backed({ scene }: State, box: BoxRecord): BoxRecord {
-  const [depth, width, height] = box.size;
-  const turns = [0, 1, 2, 3].map((quarter): BoxRecord => {
-    const heading = wrapped(headingOf(box) + (quarter * Math.PI) / 2);
-    return { ...box, heading, size: quarter % 2 === 0 ? box.size : [width, depth, height] };
-  });
-  const gap = (turned: BoxRecord): number => {
-    const back = add(floorPoint(turned), scale(direction(headingOf(turned)), -turned.size[0] / 2));
-    const wall = nearestWall(scene.room, back);
-    return wall === undefined ? 0 : distance(back, nearestOn(back, wall.segment));
-  };
-  return turns.reduce((best, one) => (gap(one) < gap(best) ? one : best));
 }
 
 /** The whole right angles nearest to an angle, radians. */

@@ -8,8 +8,10 @@ import {
 } from "../net/protocol.gen";
 import { loadOf, taken } from "./carrying";
 import { floorPoint, headingOf, isOver, movedTo } from "./footprints";
+import { asItsKind, seen } from "./fronts";
 import { add, direction, leftOf, roundedPoint, scale, wrapped } from "./geometry";
 import { edited } from "./history";
+import { nameOf } from "./labels";
 import { notified, refused } from "./notices";
 import { outlineProblem } from "./outlines";
 import {
@@ -34,8 +36,9 @@ const BESIDE = 0.1;
 export function editBox(state: State, box: BoxRecord, done: boolean): State {
   const old = boxOf(state.scene, box.id);
   if (old === undefined) return done ? addBox(state, box) : state;
-  const scene = withBox(state.scene, letGo(state.scene, seen(old, box)));
-  return edited(state, withBoxes(scene, along(state, box)), done);
+  const now = box.category === old.category ? seen(old, box) : asItsKind(state, box);
+  const scene = withBox(state.scene, letGo(state.scene, now));
+  return edited(state, withBoxes(scene, along(state, now)), done);
 }
 
 export function addBox(state: State, box: BoxRecord): State {
@@ -43,13 +46,6 @@ export function addBox(state: State, box: BoxRecord): State {
     return refused(state, `A room holds ${MAX_BOXES} things at most. Remove some first.`);
   }
   return edited(state, withBox(state.scene, box), true);
-}
-
-/** Who turns a thing where it stands has seen its front: it is no guess from the wall any more. */
-function seen(old: BoxRecord, box: BoxRecord): BoxRecord {
-  const stayed = old.center[0] === box.center[0] && old.center[1] === box.center[1];
-  if (!stayed || headingOf(old) === headingOf(box)) return box;
-  return { ...box, front_known: true, front_from_wall: false };
 }
 
 /** Whoever takes a thing away from what it stood on has taken it off. */
@@ -150,12 +146,22 @@ export function deleteSelected(state: State): State {
 export function removeBox(state: State, id: string): State {
   const box = boxOf(state.scene, id);
   if (box === undefined) return state;
-  const load = loadOf(state.scene, box).map((other) => other.id);
-  const next = edited(state, withoutBoxes(state.scene, [id, ...load]), true);
-  if (load.length === 0) return next;
-  const what =
-    load.length === 1 ? "What was on it is" : `The ${load.length} things that were on it are`;
-  return notified(next, "info", `${what} gone too. Undo brings all back.`);
+  const load = loadOf(state.scene, box);
+  const gone = [id, ...load.map((other) => other.id)];
+  const next = edited(state, withoutBoxes(state.scene, gone), true);
+  const [first] = load;
+  if (first === undefined) return next;
+  return load.length === 1
+    ? notified(next, "info", `With it went ${nameOf(first)}. Undo brings both back.`)
+    : notified(next, "info", `With it went the ${load.length} things on it. Undo brings all back.`);
+}
+
+/** The same on somebody's advice: what went is said. */
+export function takeAway(state: State, id: string): State {
+  const box = boxOf(state.scene, id);
+  const next = removeBox(state, id);
+  if (box === undefined || next.notice !== state.notice) return next;
+  return notified(next, "info", `Without ${nameOf(box)} now. Undo brings it back.`);
 }
 
 /** The selected box once more, beside it; the copy is selected. */

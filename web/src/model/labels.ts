@@ -1,5 +1,5 @@
 /** What things are called and how big they usually are, when the server has not said so (yet). */
-import type { CategoryInfo } from "../net/protocol.gen";
+import type { BoxRecord, CategoryInfo } from "../net/protocol.gen";
 import type { Vector3 } from "./state";
 
 export const OTHER = "Other";
@@ -50,4 +50,12 @@ function unlikeness(size: Vector3, usual: Vector3): number {
 
 function logDistance(a: Vector3, b: Vector3): number {
   return Math.hypot(Math.log(a[0] / b[0]), Math.log(a[1] / b[1]), Math.log(a[2] / b[2]));
+}
+
+/** A box as one speaks of it: "the coffee table". */
+export function nameOf({ label, category }: BoxRecord): string {
+  const name = label || category;
+  if (name === OTHER) return "something else";
+  if (name === "Storage" || name === "Decor") return `the ${name.toLowerCase()} piece`;
+  return `the ${name.startsWith("TV") ? name : name.toLowerCase()}`;
 }

@@ -9,3 +9,8 @@ export function notified(state: State, tone: Notice["tone"], text: string): Stat
 export function refused(state: State, text: string): State {
   return notified(state, "problem", text);
 }
+
+/** What was said is done with. */
+export function silenced(state: State): State {
+  return state.notice === null ? state : { ...state, notice: null };
+}

@@ -20,7 +20,7 @@ import {
   topOf,
 } from "./footprints";
 import { add, angleOf, between, distance, scale } from "./geometry";
-import { OTHER } from "./labels";
+import { nameOf } from "./labels";
 import { restsOnSomething } from "./resting";
 import { nearestWall } from "./walls";
 
@@ -119,11 +119,4 @@ function reachesInto(
     heading: angleOf(wall.inward),
   };
   return overlapFromAbove(box, clear);
-}
-
-function nameOf(box: BoxRecord): string {
-  const name = box.label || box.category;
-  if (name === OTHER) return "something else";
-  if (name === "Storage" || name === "Decor") return `the ${name.toLowerCase()} piece`;
-  return `the ${name === "TV" ? name : name.toLowerCase()}`;
 }

@@ -32,11 +32,11 @@ import {
   editRoom,
   moveCorner,
   nudge,
-  removeBox,
+  takeAway,
   turn,
 } from "./editing";
 import { edited, redo, undo } from "./history";
-import { notified } from "./notices";
+import { notified, silenced } from "./notices";
 import {
   dragGhost,
   nudgeGhost,
@@ -82,7 +82,7 @@ function changed(state: State, action: Action): State {
     case "open-scene":
       return openScene(state, action.scene);
     case "new-room":
-      return newRoom(state);
+      return silenced(newRoom(state));
     case "edit-room":
       return editRoom(state, action.room, action.done);
     case "edit-box":
@@ -96,17 +96,17 @@ function changed(state: State, action: Action): State {
     case "turn":
       return state.placing === null ? turn(state, action.by) : turnGhost(state, action.by);
     case "remove-box":
-      return removeBox(state, action.id);
+      return takeAway(state, action.id);
     case "delete-selected":
       return deleteSelected(state);
     case "duplicate-selected":
       return duplicateSelected(state);
     case "undo":
-      return undo(state);
+      return silenced(undo(state));
     case "redo":
-      return redo(state);
+      return silenced(redo(state));
     case "choose-tool":
-      return chooseTool(state, action.tool);
+      return silenced(chooseTool(state, action.tool));
     case "draw-down":
       return drawDown(state, action.at, action.free);
     case "draw-move":
@@ -126,7 +126,7 @@ function changed(state: State, action: Action): State {
     case "cycle-selection":
       return cycleSelection(state, action.by);
     case "place":
-      return carried(place(state, action));
+      return silenced(carried(place(state, action)));
     case "set-mode":
       return carried(setMode(state, action.mode, action.view));
     case "set-size":
@@ -138,9 +138,9 @@ function changed(state: State, action: Action): State {
     case "what-matters":
       return whatMatters(state, action.on);
     case "show-alternative":
-      return showAlternative(state, action.rank);
+      return unprobed(showAlternative(state, action.rank));
     case "drag-ghost":
-      return dragGhost(state, action.pose);
+      return unprobed(dragGhost(state, action.pose));
     case "confirm":
       return confirm(state);
     case "stop-waiting":
@@ -164,7 +164,7 @@ function changed(state: State, action: Action): State {
     case "notify":
       return notified(state, action.tone, action.text);
     case "dismiss-notice":
-      return state.notice === null ? state : { ...state, notice: null };
+      return silenced(state);
     case "ar-support":
       return { ...state, arSupport: action.support };
     case "enter-ar":
@@ -221,4 +221,9 @@ function followed(before: State, after: State): State {
   if (placing === null) return { ...after, selection };
   const computing = placing.problem === null;
   return { ...after, selection, placing: { ...placing, computing, weigh: null } };
+}
+
+/** What was told of a spot is old once the ghost has gone elsewhere. */
+function unprobed(state: State): State {
+  return state.probe === null ? state : { ...state, probe: null };
 }

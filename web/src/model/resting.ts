@@ -108,8 +108,13 @@ function restsOn(mount: Mount, scene: SceneRecord, box: BoxRecord): boolean {
     case "wall":
       return bottomOf(box) > RESTS && wallsOf(scene.room).some((wall) => hangsOn(wall, box));
     case "top":
-      return carriersIn(scene).some((other) => other.id !== box.id && carries(other, box));
+      return standsOnTop(scene, box);
   }
+}
+
+/** Whether a box stands on the top of another that can carry it. */
+export function standsOnTop(scene: SceneRecord, box: BoxRecord): boolean {
+  return carriersIn(scene).some((other) => other.id !== box.id && carries(other, box));
 }
 
 function carriersIn(scene: SceneRecord): readonly BoxRecord[] {

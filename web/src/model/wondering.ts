@@ -1,7 +1,11 @@
 /** What the person wants to know of the places on offer, or wants otherwise. */
 import type { Comfort, Matters, ModelName, Weighing } from "../net/protocol.gen";
 import { askAgain } from "./answers";
+import { showAlternative } from "./placing";
 import type { State } from "./state";
+
+/** The rank of the best place. */
+const BEST = 1;
 
 /** Another model finds the places from now on. */
 export function chooseModel(state: State, model: ModelName): State {
@@ -15,13 +19,14 @@ export function relax(state: State, rule: Comfort): State {
   return askAgain({ ...state, placing: { ...placing, relaxed: [...placing.relaxed, rule] } });
 }
 
-/** Asks which thing matters most, or lets the question go. */
+/** Asks which thing matters most to the best place, which is shown; or lets the question go. */
 export function whatMatters(state: State, on: boolean): State {
-  const { placing, nextId } = state;
+  const best = on ? showAlternative(state, BEST) : state;
+  const { placing, nextId } = best;
   if (placing === null) return state;
   const id = `matters-${nextId}`;
   const weigh = on ? { id, done: 0, total: 0, result: null } : null;
-  return { ...state, nextId: nextId + 1, placing: { ...placing, weigh } };
+  return { ...best, nextId: nextId + 1, placing: { ...placing, weigh } };
 }
 
 export function weighing(state: State, { id, done, total }: Weighing): State {

@@ -1,4 +1,5 @@
 /** What a screen reader is told when the state changes. */
+import { selectedBox } from "../model/selecting";
 import type { State } from "../model/state";
 import { arAnnouncement } from "./ar_words";
 import { boxInWords, placedInWords, sceneInWords } from "./whereabouts";
@@ -70,7 +71,9 @@ function boxes(before: State, after: State): string | null {
   if (gone !== undefined) return `${gone.category} deleted.`;
   const added = boxes.find(({ id }) => !old.some((box) => box.id === id));
   if (added !== undefined) return `Added: ${boxInWords(added, after.scene.room)}.`;
-  const changed = boxes.find((box) => !old.includes(box));
+  const changed =
+    [selectedBox(after), ...boxes].find((box) => box !== undefined && !old.includes(box)) ??
+    undefined;
   return changed === undefined ? null : `${boxInWords(changed, after.scene.room)}.`;
 }
 

@@ -74,15 +74,22 @@ export interface LengthField {
 export function lengthField(field: LengthField): TemplateResult {
   const take = (input: HTMLInputElement, text: string): void => {
     const typed = parseLength(text, field.unit, field.limits);
-    showProblem(input, typed.ok ? "" : typed.problem);
-    if (typed.ok && typed.metres !== field.value) field.change(typed.metres);
+    const isNew = text !== shown(field.value, field.unit);
+    showProblem(input, typed.ok || !isNew ? "" : typed.problem);
+    if (isNew && typed.ok && typed.metres !== field.value) field.change(typed.metres);
   };
   const step = (event: KeyboardEvent): void => {
+    if (event.key === "Escape") leave(event.target as HTMLInputElement);
     const sign = { ArrowUp: 1, ArrowDown: -1 }[event.key];
     if (sign === undefined) return;
     event.preventDefault();
     const step = event.shiftKey ? 0.01 : field.step;
     take(event.target as HTMLInputElement, `${(field.value + sign * step).toFixed(4)} m`);
+  };
+  /** Without what was typed; the next Escape is for the room. */
+  const leave = (input: HTMLInputElement): void => {
+    input.value = shown(field.value, field.unit);
+    input.blur();
   };
   return html`<div class="field">
     <label for=${field.id}>${field.label}</label>

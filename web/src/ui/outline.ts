@@ -1,11 +1,12 @@
 /** The selected door, window or corner, and the walls, by their lengths. */
 import { html, nothing, type TemplateResult } from "lit";
+import { sideOf } from "../model/sides";
 import { wallsOf, withWallLength } from "../model/walls";
 import type { OpeningRecord } from "../net/protocol.gen";
 import { deleteButton, lengthField, section } from "./controls";
 import { spanOf, withSpan } from "./exact";
 import type { Page } from "./page";
-import { wallName } from "./whereabouts";
+import { begun } from "./words";
 
 const STEP = 0.05; // metres
 
@@ -90,7 +91,7 @@ export function wallFields(
     ${walls.map((wall) =>
       lengthField({
         id: `wall-${wall.index}`,
-        label: `${capital(wallName(wall))} wall`,
+        label: `${begun(sideOf(wall))} wall`,
         unit: "m",
         value: wall.length,
         step: STEP,
@@ -103,8 +104,4 @@ export function wallFields(
       }),
     )}
   </div>`;
-}
-
-function capital(word: string): string {
-  return word.charAt(0).toUpperCase() + word.slice(1);
 }

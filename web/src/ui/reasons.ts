@@ -27,7 +27,7 @@ export function reasonsPanel(page: Page): TemplateResult | typeof nothing {
   if (placing === null || verdict === null) return nothing;
   const why = html`<p class="why">
         ${ended(verdict.sentence)}
-        ${verdict.likelihood === null ? nothing : html`<small>A ${likelihoodInWords(verdict.likelihood)} place.</small>`}
+        ${verdict.likelihood === null ? nothing : html`<small>${begun(`${likelihoodInWords(verdict.likelihood)} place`)}.</small>`}
       </p>
       ${costs(page)} ${bars(page, verdict.reasons)} ${total(page, verdict)}
       ${knownRooms(page, placing.category, verdict.rooms)} ${mattersPart(page, placing)}`;

@@ -13,7 +13,6 @@ import { seeInRoom } from "./quick_look";
 
 const STEP = 0.05; // metres
 const TURN = Math.PI / 12; // 15°
-const FAR = { min: -1000, max: 1000 }; // metres; the reach of the wire
 const HEIGHTS = { min: 0, max: 10 }; // metres
 
 export function selectionPanel(page: Page): TemplateResult | typeof nothing {
@@ -44,7 +43,7 @@ function boxPanel(page: Page, box: BoxRecord): TemplateResult {
     box.label || box.category,
     html`
       ${box.placed === true ? nothing : whatIsIt(page, box, edit)}
-      ${sizeFields(box, edit)} ${positionFields(box, westSouth(state.scene.room.corners), edit)}
+      ${sizeFields(box, edit)} ${positionFields(box, bounds(state.scene.room.corners), edit)}
       ${boxCommands(page, box)}
     `,
     "selection",
@@ -79,7 +78,7 @@ function sizeFields(box: BoxRecord, edit: (change: Partial<BoxRecord>) => void):
 
 function positionFields(
   box: BoxRecord,
-  corner: Point,
+  [corner, opposite]: readonly [Point, Point],
   edit: (change: Partial<BoxRecord>) => void,
 ): TemplateResult {
   const [x, y, z] = box.center;
@@ -90,7 +89,7 @@ function positionFields(
       label: "From west",
       unit: "m",
       value: x - corner[0],
-      limits: FAR,
+      limits: { min: 0, max: opposite[0] - corner[0] },
       step: STEP,
       change: (length) => edit({ center: [corner[0] + length, y, z] }),
     })}
@@ -99,7 +98,7 @@ function positionFields(
       label: "From south",
       unit: "m",
       value: y - corner[1],
-      limits: FAR,
+      limits: { min: 0, max: opposite[1] - corner[1] },
       step: STEP,
       change: (length) => edit({ center: [x, corner[1] + length, z] }),
     })}
@@ -131,7 +130,11 @@ function boxCommands(page: Page, box: BoxRecord): TemplateResult {
   `;
 }
 
-function westSouth(corners: readonly Point[]): Point {
-  if (corners.length === 0) return [0, 0];
-  return [Math.min(...corners.map(([x]) => x)), Math.min(...corners.map(([, y]) => y))];
+/** The westernmost and southernmost, the easternmost and northernmost places of the room, metres. */
+function bounds(corners: readonly Point[]): readonly [Point, Point] {
+  const [xs, ys] = [corners.map(([x]) => x), corners.map(([, y]) => y)];
+  return [
+    [Math.min(...xs), Math.min(...ys)],
+    [Math.max(...xs), Math.max(...ys)],
+  ];
 }

@@ -136,9 +136,9 @@ function isForTheRoom({ target, key }: KeyboardEvent): boolean {
   return control === null || control.matches(`:is(${PRESSED})[aria-pressed="true"]`);
 }
 
-/** What the panel is about; about something new it is read from the top. */
+/** What the panel is about; about something new, as a place of one's own, it is read from the top. */
 function topicOf({ tool, placing, selection }: State): string {
-  return JSON.stringify([tool, placing?.category, selection]);
+  return JSON.stringify([tool, placing?.category, placing?.alternative === null, selection]);
 }
 
 function syncDialog(element: HTMLElement, name: string, open: boolean): void {

@@ -1,6 +1,8 @@
 /** Where a thing stands, in words: for the list of objects and for what is said aloud. */
+import { compass } from "../model/compass";
 import { footprint } from "../model/footprints";
-import { angleOf, between, distance, nearestOn, scale, sides, signedArea } from "../model/geometry";
+import { between, distance, nearestOn, sides, signedArea } from "../model/geometry";
+import { sideOf } from "../model/sides";
 import type { Point } from "../model/state";
 import { formatArea, formatLength, formatSize } from "../model/units";
 import { nearestWall, type Wall, wallsOf } from "../model/walls";
@@ -9,23 +11,6 @@ import { counted, ended, inSentence } from "./words";
 
 /** Closer than this to a wall is against it, metres. */
 const AGAINST = 0.15;
-
-const COMPASS = [
-  "east",
-  "north-east",
-  "north",
-  "north-west",
-  "west",
-  "south-west",
-  "south",
-  "south-east",
-];
-
-/** The direction of an angle (anticlockwise from +x, radians); north is +y. */
-export function compass(angle: number): string {
-  const eighth = Math.round(angle / (Math.PI / 4));
-  return COMPASS[((eighth % 8) + 8) % 8] as string;
-}
 
 /** "Sofa, 0.90 × 2.1 × 0.80 m, against the north wall, facing south". */
 export function boxInWords(box: BoxRecord, room: RoomRecord): string {
@@ -48,7 +33,7 @@ export function nearestWallInWords(box: BoxRecord, room: RoomRecord): string {
   const walls = wallsOf(room).map((wall) => ({ wall, gap: gapToWall(box, wall) }));
   const nearest = walls.toSorted((a, b) => a.gap - b.gap)[0];
   if (nearest === undefined) return "in no room yet";
-  const name = `the ${wallName(nearest.wall)} wall`;
+  const name = `the ${sideOf(nearest.wall)} wall`;
   return nearest.gap <= AGAINST ? `against ${name}` : `${formatLength(nearest.gap)} from ${name}`;
 }
 
@@ -56,7 +41,7 @@ export function nearestWallInWords(box: BoxRecord, room: RoomRecord): string {
 export function openingInWords(opening: OpeningRecord, room: RoomRecord): string {
   const width = formatLength(distance(opening.start, opening.end));
   const wall = nearestWall(room, between(opening.start, opening.end, 0.5));
-  return wall === undefined ? `${width} wide` : `${width} wide, in the ${wallName(wall)} wall`;
+  return wall === undefined ? `${width} wide` : `${width} wide, in the ${sideOf(wall)} wall`;
 }
 
 /** "Sofa placed: against the north wall, facing the TV." */
@@ -64,11 +49,6 @@ export function placedInWords(box: BoxRecord, room: RoomRecord, sentence: string
   const where = ended(sentence || nearestWallInWords(box, room));
   const first = where.split(/[\s,]/, 1)[0] ?? "";
   return `${box.category} placed: ${inSentence(first)}${where.slice(first.length)}`;
-}
-
-/** The side of the room that a wall closes: "north". */
-export function wallName(wall: Wall): string {
-  return compass(angleOf(scale(wall.inward, -1)));
 }
 
 /** Metres between the footprint and the wall. */

@@ -1,6 +1,6 @@
 import { Group } from "three";
 import type { Placing, State } from "../model/state";
-import type { BoxRecord, Placement } from "../net/protocol.gen";
+import type { BoxRecord, Placement, SceneRecord } from "../net/protocol.gen";
 import { BoxLines } from "./box_lines";
 import { hangs } from "./hanging";
 import { NumberLabels } from "./number_labels";
@@ -49,11 +49,11 @@ export class AlternativesView implements Part {
       if (!placement || !placing || placement.rank === placing.alternative) {
         lines.hide();
       } else {
-        lines.show(footprintOf(placement, placing), CALM);
+        lines.show(footprintOf(placement, placing, state.scene), CALM);
       }
     });
     this.#showOtherwise(placing);
-    this.#numbers.show(placing ? placements : [], placing, this.#look);
+    this.#numbers.show(placements, state, this.#look);
   }
 
   #showOtherwise(placing: Placing | null): void {
@@ -83,9 +83,13 @@ export class AlternativesView implements Part {
 }
 
 /** What is drawn of a place: where it would stand, or all of it on a wall. */
-function footprintOf({ center, heading }: Placement, { category, size }: Placing): BoxRecord {
+function footprintOf(
+  { center, heading }: Placement,
+  { category, size }: Placing,
+  scene: SceneRecord,
+): BoxRecord {
   const whole: BoxRecord = { id: "", category, heading, center, size };
-  if (hangs(whole)) {
+  if (hangs(whole, scene)) {
     return whole;
   }
   const [depth, width, height] = size;

@@ -62,12 +62,13 @@ export function drag(
     return action && { action, guides: [] };
   }
   const now = grip.ghost ? ghostBox(state) : grip.box;
-  const moved = now && movedBox(state.scene, now, grip, ray);
+  const onWall = now !== null && hangs(now, state.scene);
+  const moved = now && movedBox(state.scene, now, grip, ray, onWall);
   if (!moved) {
     return null;
   }
   const rest = grip.ghost ? state.scene : withoutLoaded(state.beforeDrag ?? state.scene, grip.box);
-  const { box, guides } = hangs(moved) ? { box: moved, guides: [] } : snapBox(rest, moved, free);
+  const { box, guides } = onWall ? { box: moved, guides: [] } : snapBox(rest, moved, free);
   if (grip.ghost) {
     const pose = { center: box.center, heading: headingOf(box) };
     return { action: { type: "drag-ghost", pose, done }, guides };
@@ -91,8 +92,9 @@ function movedBox(
   box: BoxRecord,
   grip: Grip & { readonly kind: "box" },
   ray: Ray,
+  onWall: boolean,
 ): BoxRecord | null {
-  if (hangs(box)) {
+  if (onWall) {
     return hung(scene, box, ray);
   }
   const hand = meetLevel(ray, grip.level);

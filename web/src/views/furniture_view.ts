@@ -59,7 +59,7 @@ export class FurnitureView implements Part {
       model.root.visible = !real || box.placed === true;
     }
     this.#plan = state.shown.camera !== "orbit" || real;
-    this.#hung = [...this.#pieces.values()].filter(({ box }) => hangs(box));
+    this.#hung = [...this.#pieces.values()].filter(({ box }) => hangs(box, state.scene));
     this.#outline(state);
   }
 

@@ -1,5 +1,5 @@
 /** What a press on the picture is about. Core frame. */
-import type { State } from "../model/state";
+import type { State, Vector3 } from "../model/state";
 import { gripOf, isChosen } from "./chosen";
 import type { Grip } from "./dragging";
 import { type Spot, spotsOf } from "./handle_spots";
@@ -38,20 +38,29 @@ export function gestureAt(state: State, pad: Pad, event: Finger, ray: Ray): Gest
   return grip ? { kind: "grip", grip } : { kind: "look" };
 }
 
-/** The handle nearest to the finger; on the body of a thing only a handle that is hit counts. */
+/**
+ * The handle nearest to the finger; on the body of a thing only a handle that is hit counts, and
+ * not where its middle is nearer: what is small on the screen can be dragged too.
+ */
 export function spotAt(state: State, pad: Pad, event: Finger): Spot | null {
   let best: Spot | null = null;
-  const onBody = isChosen(state, targetAt(state, rayOf(pad, event)));
-  let least = onBody || event.pointerType === "mouse" ? MOUSE : TOUCH;
+  const target = targetAt(state, rayOf(pad, event));
+  const onBody = isChosen(state, target);
+  const middle = onBody && target !== null && "box" in target ? target.box.center : null;
+  const reach = onBody || event.pointerType === "mouse" ? MOUSE : TOUCH;
+  let least = Math.min(reach, away(pad, event, middle));
   for (const spot of spotsOf(state)) {
-    const place = pad.place(spot.at);
-    const gap = place
-      ? Math.hypot(place[0] - event.clientX, place[1] - event.clientY)
-      : Number.POSITIVE_INFINITY;
+    const gap = away(pad, event, spot.at);
     if (gap < least) {
       best = spot;
       least = gap;
     }
   }
   return best;
+}
+
+/** CSS pixels from the finger to a place; infinite if it is nowhere to be seen. */
+function away(pad: Pad, { clientX, clientY }: Finger, at: Vector3 | null): number {
+  const place = at && pad.place(at);
+  return place ? Math.hypot(place[0] - clientX, place[1] - clientY) : Number.POSITIVE_INFINITY;
 }

@@ -54,7 +54,7 @@ export class GhostView implements Part {
       this.#lines.show(this.#box, { color, width: 1.8, dashed: false, fill: 0.06 });
       this.#model?.show(this.#box, placing.asset ? this.#solids.get(placing.asset) : null);
       this.#shadow.show([this.#box]);
-      this.#arrow.visible = !hangs(this.#box);
+      this.#arrow.visible = !hangs(this.#box, state.scene);
     }
     this.#place();
   }

@@ -3,13 +3,15 @@
  * cupboard that hangs is a box like others. Pure; core frame.
  */
 import { bottomOf, headingOf } from "../model/footprints";
+import { standsOnTop } from "../model/resting";
 import type { Vector3 } from "../model/state";
-import type { BoxRecord } from "../net/protocol.gen";
+import type { BoxRecord, SceneRecord } from "../net/protocol.gen";
 
-const OUT_OF_REACH = 0.7; // metres over the floor; a television above this hangs
+const OUT_OF_REACH = 0.7; // metres over the floor; a television above this hangs or stands on something
 
-export function hangs(box: BoxRecord): boolean {
-  return box.category === "Picture" || (box.category === "TV" && bottomOf(box) > OUT_OF_REACH);
+export function hangs(box: BoxRecord, scene: SceneRecord): boolean {
+  if (box.category !== "TV") return box.category === "Picture";
+  return bottomOf(box) > OUT_OF_REACH && !standsOnTop(scene, box);
 }
 
 /** How much of its front a box turns to a point: 1 all of it, 0 its edge, less its back. */

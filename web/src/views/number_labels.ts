@@ -1,6 +1,6 @@
 import { Group, Vector3 } from "three";
-import type { Placing } from "../model/state";
-import type { Placement } from "../net/protocol.gen";
+import type { Placing, State } from "../model/state";
+import type { Placement, SceneRecord } from "../net/protocol.gen";
 import { hangs } from "./hanging";
 import { coversOne } from "./label_layout";
 import { ACCENT, type Look } from "./palette";
@@ -30,7 +30,7 @@ export class NumberLabels {
   readonly labels: Numbered[] = [];
 
   /** Shows a number for each placement, and over the ghost the one that it stands on. */
-  show(placements: readonly Placement[], placing: Placing | null, look: Look): void {
+  show(placements: readonly Placement[], { placing, scene }: State, look: Look): void {
     while (this.labels.length < placements.length) {
       const label = { ...spriteLabel(), places: SPOTS.map(() => new Vector3()) };
       this.labels.push(label);
@@ -42,7 +42,7 @@ export class NumberLabels {
       label.sprite.visible = label.shown;
       if (placement && placing) {
         const chosen = placement.rank === placing.alternative;
-        arrange(label, placement, placing, chosen);
+        arrange(label, placement, placing, scene);
         label.sprite.write(String(placement.rank), {
           size: 15,
           bold: true,
@@ -89,11 +89,17 @@ function moveTo(label: Numbered, place: Vector3, eye: Eye): void {
 }
 
 /** Over the ghost, or within the footprint; on a wall within its height instead of its depth. */
-function arrange(label: Numbered, placement: Placement, placing: Placing, chosen: boolean): void {
+function arrange(
+  label: Numbered,
+  placement: Placement,
+  placing: Placing,
+  scene: SceneRecord,
+): void {
   const { center, heading } = placement;
   const { category, size } = placing;
   const [depth, width, height] = size;
-  const onWall = hangs({ id: "", category, center, size });
+  const chosen = placement.rank === placing.alternative;
+  const onWall = hangs({ id: "", category, center, size }, scene);
   const [cos, sin] = [Math.cos(heading), Math.sin(heading)];
   SPOTS.forEach(([ahead, left], i) => {
     const [u, v] = [onWall ? 0 : (ahead * depth) / 2, (left * width) / 2];

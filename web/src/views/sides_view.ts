@@ -7,11 +7,13 @@ import type { Look } from "./palette";
 import type { Eye, Part } from "./part";
 import { layOut, type SpriteLabel, spriteLabel } from "./sprite_labels";
 
+const WAYS = 8; // of the compass
+
 /** Which wall is the north wall: the sides by name, while places are told by them. */
 export class SidesView implements Part {
   readonly root = new Group();
   /** Where the names are on the screen; other texts make way for them. */
-  readonly labels: readonly SpriteLabel[] = Array.from({ length: 4 }, spriteLabel);
+  readonly labels: readonly SpriteLabel[] = Array.from({ length: WAYS }, spriteLabel);
   readonly #taken: readonly (readonly LabelBox[])[];
   #look: Look;
   #room: RoomRecord | null = null;
@@ -84,7 +86,7 @@ export class SidesView implements Part {
     this.labels.forEach(({ sprite }, i) => {
       const side = this.#sides[i];
       if (side) {
-        sprite.write(side.name, {
+        sprite.write(capital(side.name), {
           size: 11,
           bold: true,
           color: this.#look.labelText,
@@ -93,4 +95,8 @@ export class SidesView implements Part {
       }
     });
   }
+}
+
+function capital(name: string): string {
+  return name.charAt(0).toUpperCase() + name.slice(1);
 }

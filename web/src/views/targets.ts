@@ -27,7 +27,9 @@ const FLAT = 0.3; // height of what counts as an alternative's place, metres
 export function targetAt(state: State, ray: Ray): Target | null {
   const ghost = ghostBox(state);
   const ghostDistance = ghost && meetBox(ray, ghost, GROWN);
-  const inSight = state.scene.boxes.filter((box) => !hangs(box) || turnedTo(box, ray.origin) > 0);
+  const inSight = state.scene.boxes.filter(
+    (box) => !hangs(box, state.scene) || turnedTo(box, ray.origin) > 0,
+  );
   const first = firstBox(ray, inSight);
   const nearer = first === null || (ghostDistance !== null && ghostDistance <= first.distance);
   if (ghost && ghostDistance !== null && nearer) {
@@ -52,7 +54,9 @@ function alternativeAt(state: State, ray: Ray, limit: number): number | null {
   const [depth, width, height] = size;
   let best: { rank: number; distance: number } | null = null;
   for (const { rank, center, heading } of placing.answer?.placements ?? []) {
-    const low = hangs({ id: "", category, center, size }) ? height : Math.min(FLAT, height);
+    const low = hangs({ id: "", category, center, size }, state.scene)
+      ? height
+      : Math.min(FLAT, height);
     const foot: Vector3 = [center[0], center[1], center[2] - height / 2 + low / 2];
     const flat = {
       id: "",

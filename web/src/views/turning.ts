@@ -15,7 +15,7 @@ export function hungAlternative(state: State): BoxRecord | null {
   const { placing } = state;
   if (placing === null || placing.mode === "manual" || placing.alternative === null) return null;
   const ghost = ghostBox(state);
-  return ghost !== null && hangs(ghost) ? ghost : null;
+  return ghost !== null && hangs(ghost, state.scene) ? ghost : null;
 }
 
 /** From where to look at the room to see the front of a box; null if it is seen as it is. */
