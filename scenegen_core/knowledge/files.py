@@ -36,6 +36,9 @@ BROKEN = (
 )  # fmt: skip
 """What NumPy and msgspec raise when a file is not what it should be."""
 
+ZIPPED = b"PK\x03\x04"
+"""How an archive begins."""
+
 LEARN_AGAIN = "learn it again with: scenegen learn ROOMS --out knowledge.npz"
 
 
@@ -121,9 +124,11 @@ def default_knowledge() -> Knowledge:
 
 def _read(file: IO[bytes], name: str) -> Knowledge:
     try:
-        archive = np.load(file, allow_pickle=False)
-        if not isinstance(archive, NpzFile):
+        if file.read(len(ZIPPED)) != ZIPPED:
             raise KnowledgeError(f"{name} is not a knowledge file; {LEARN_AGAIN}.")
+        file.seek(0)
+        archive = np.load(file, allow_pickle=False)
+        assert isinstance(archive, NpzFile)
         with archive:
             header = _header(archive["header"].tobytes(), name)
             parts = [_category(archive, header, i) for i in range(len(header.categories))]

@@ -155,11 +155,18 @@ def test_a_missing_file_says_how_to_make_one(tmp_path: Path) -> None:
         load_knowledge(tmp_path / "none.npz")
 
 
-@pytest.mark.parametrize("content", [b"", b"PK\x03\x04 no archive", b"plain text"])
-def test_a_file_that_is_no_archive_is_broken(tmp_path: Path, content: bytes) -> None:
+@pytest.mark.parametrize(
+    ("content", "words"),
+    [
+        (b"", "is not a knowledge file; learn it again"),
+        (b"plain text", "is not a knowledge file; learn it again"),
+        (b"PK\x03\x04 no archive", "is broken; learn it again"),
+    ],
+)
+def test_a_file_that_is_no_archive_is_refused(tmp_path: Path, content: bytes, words: str) -> None:
     path = tmp_path / "knowledge.npz"
     path.write_bytes(content)
-    with pytest.raises(KnowledgeError, match=r"is broken; learn it again"):
+    with pytest.raises(KnowledgeError, match=words):
         load_knowledge(path)
 
 
