@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 import sys
 from argparse import ArgumentParser, ArgumentTypeError, Namespace
-from math import radians
+from math import degrees, radians
 from pathlib import Path
 from time import perf_counter
 from typing import Any
@@ -205,7 +205,7 @@ def _told(answer: Answer) -> list[str]:
         x, y, z = pose.center
         lines.append(
             f"  {pose.rank}  {pose.name}: at ({x:.2f}, {y:.2f}, {z:.2f}), "
-            f"heading {pose.heading:.2f}: {pose.sentence}"
+            f"heading {degrees(pose.heading):.0f}°: {pose.sentence}"
         )
     best = answer.poses[0]
     lines.append(f"  Rooms that speak for the first: {', '.join(best.rooms)}")
