@@ -27,7 +27,7 @@ def first_steps(page: Page) -> Locator:
 
 def ask_for_a_sofa(page: Page) -> None:
     page.get_by_role("button", name="Put a sofa in this room").click()
-    expect(first_steps(page).get_by_role("button", name="Keep it here")).to_be_visible()
+    expect(first_steps(page).get_by_role("button", name="Place it")).to_be_visible()
 
 
 def stage_pixels(page: Page) -> np.ndarray[tuple[int, ...], np.dtype[np.int16]]:

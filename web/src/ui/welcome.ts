@@ -62,7 +62,7 @@ function settling(page: Page): TemplateResult {
     page,
     html`<p>${ended(sentence)}</p>
       <div class="row">
-        ${button({ icon: "check", label: "Keep it here", run: () => page.dispatch({ type: "confirm" }) }, "primary")}
+        ${button({ icon: "check", label: "Place it", run: () => page.dispatch({ type: "confirm" }) }, "primary")}
         ${
           next === undefined || places.length < 2
             ? nothing
