@@ -1,5 +1,6 @@
 /** One plain sentence saying what to do next. */
-import { shownRefusal } from "../model/ghost";
+import { ghostBox, shownRefusal } from "../model/ghost";
+import { hangs } from "../model/hanging";
 import type { Draft, State } from "../model/state";
 import { arHint } from "./ar_words";
 
@@ -11,7 +12,9 @@ export function hint(state: State): string | null {
   if (state.placing !== null) {
     if (state.placing.pose === null) return null;
     if (shownRefusal(state) !== null) return "Drag it to where it can stand.";
-    return "Drag it anywhere, or place it here.";
+    const ghost = ghostBox(state);
+    const where = ghost !== null && hangs(ghost, state.scene) ? "along the walls" : "anywhere";
+    return `Drag it ${where}, or place it here.`;
   }
   if (state.draft !== null) return draftHint(state.draft);
   switch (state.tool) {

@@ -1,8 +1,8 @@
 import { Group } from "three";
+import { hangs } from "../model/hanging";
 import type { Placing, State } from "../model/state";
 import type { BoxRecord, Placement, SceneRecord } from "../net/protocol.gen";
 import { BoxLines } from "./box_lines";
-import { hangs } from "./hanging";
 import { NumberLabels } from "./number_labels";
 import { ACCENT, type Look } from "./palette";
 import type { Eye, Part } from "./part";

@@ -5,12 +5,12 @@ import { withoutLoaded } from "../model/carrying";
 import { bottomOf, floorPoint, headingOf, movedTo } from "../model/footprints";
 import { add, roundedPoint, type Segment, subtract } from "../model/geometry";
 import { ghostBox } from "../model/ghost";
+import { hangs } from "../model/hanging";
 import { settled } from "../model/resting";
 import { boxOf } from "../model/scenes";
 import { snapBox } from "../model/snapping";
 import type { Point, State } from "../model/state";
 import type { BoxRecord, SceneRecord } from "../net/protocol.gen";
-import { hangs } from "./hanging";
 import { meetLevel, meetWall, pointOn, type Ray } from "./picking";
 
 /** What was grabbed, and where: kept for as long as the drag lasts. */

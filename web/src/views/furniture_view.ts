@@ -1,10 +1,10 @@
 import { Group, Vector3 } from "three";
+import { hangs, turnedTo } from "../model/hanging";
 import type { State } from "../model/state";
 import type { BoxRecord } from "../net/protocol.gen";
 import { BoxLines } from "./box_lines";
 import { ContactShadows } from "./contact_shadows";
 import { SIDEWAYS } from "./framing";
-import { hangs, turnedTo } from "./hanging";
 import { ACCENT, categoryColor } from "./palette";
 import type { Eye, Part } from "./part";
 import { SolidModel } from "./solid_model";

@@ -1,12 +1,12 @@
 import { Group, type Material, MeshStandardMaterial } from "three";
 import { ghostBox, shownRefusal } from "../model/ghost";
+import { hangs } from "../model/hanging";
 import type { Placing, State } from "../model/state";
 import type { BoxRecord } from "../net/protocol.gen";
 import { FloorArrow } from "./arrow";
 import { BoxLines } from "./box_lines";
 import { ContactShadows } from "./contact_shadows";
 import { Glide } from "./glide";
-import { hangs } from "./hanging";
 import { ACCENT, FORBIDDEN } from "./palette";
 import type { Eye, Part } from "./part";
 import { SolidModel } from "./solid_model";

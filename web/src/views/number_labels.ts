@@ -1,7 +1,7 @@
 import { Group, Vector3 } from "three";
+import { hangs } from "../model/hanging";
 import type { Placing, State } from "../model/state";
 import type { Placement, SceneRecord } from "../net/protocol.gen";
-import { hangs } from "./hanging";
 import { coversOne } from "./label_layout";
 import { ACCENT, type Look } from "./palette";
 import type { Eye } from "./part";

@@ -2,10 +2,10 @@
 import { topOf } from "../model/footprints";
 import { distance, nearestOn } from "../model/geometry";
 import { ghostBox } from "../model/ghost";
+import { hangs, turnedTo } from "../model/hanging";
 import { shownMaps } from "../model/showing";
 import type { HeatMap, Point, Probe, State, Vector3 } from "../model/state";
 import type { BoxRecord, OpeningRecord } from "../net/protocol.gen";
-import { hangs, turnedTo } from "./hanging";
 import { likelihoodOf, placeOnMap, valueAt } from "./heat_layout";
 import { firstBox, meetBox, meetFloor, meetLevel, meetWall, pointOn, type Ray } from "./picking";
 

@@ -2,10 +2,10 @@
 import { headingOf } from "../model/footprints";
 import { wrapped } from "../model/geometry";
 import { ghostBox } from "../model/ghost";
+import { hangs, turnedTo } from "../model/hanging";
 import type { State, Vector3 } from "../model/state";
 import type { BoxRecord } from "../net/protocol.gen";
 import type { Viewpoint } from "./framing";
-import { hangs, turnedTo } from "./hanging";
 
 const EDGE_ON = 0.4; // of its front; less of it turned to the eye tells nothing
 const OBLIQUE = 0.9; // radians beside the front: the rest of the room stays in view

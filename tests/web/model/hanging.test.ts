@@ -1,5 +1,5 @@
 import { expect, test } from "vitest";
-import { hangs } from "../../../web/src/views/hanging";
+import { hangs } from "../../../web/src/model/hanging";
 import { box, room } from "../rooms";
 
 const tv = box("tv", { category: "TV", size: [0.1, 1, 0.6], center: [2.5, 2, 1.1] });

@@ -2,10 +2,11 @@
  * Pictures and televisions on a wall, which are dragged over it and go out of sight with it; a
  * cupboard that hangs is a box like others. Pure; core frame.
  */
-import { bottomOf, headingOf } from "../model/footprints";
-import { standsOnTop } from "../model/resting";
-import type { Vector3 } from "../model/state";
+
 import type { BoxRecord, SceneRecord } from "../net/protocol.gen";
+import { bottomOf, headingOf } from "./footprints";
+import { standsOnTop } from "./resting";
+import type { Vector3 } from "./state";
 
 const OUT_OF_REACH = 0.7; // metres over the floor; a television above this hangs or stands on something
 
