@@ -131,7 +131,8 @@ def test_what_was_done_while_the_server_was_gone_arrives_when_it_is_back(
         desk.things.first.focus()
         for _ in range(4):
             desk.page.keyboard.press("ArrowLeft")
-        expect(desk.connection).to_have_text("Offline, 1 change waiting")
+        # The TV unit, and the TV on it.
+        expect(desk.connection).to_have_text("Offline, 2 changes waiting")
         take_picture(desk.page, "offline")
         desk.heard.clear()
         with serving(port, tmp_path):
@@ -139,10 +140,11 @@ def test_what_was_done_while_the_server_was_gone_arrives_when_it_is_back(
             expect(desk.connection).to_have_text("Connected")
             welcome = desk.last_heard("welcome") or {}
             assert welcome["resumed"]
-            moved = desk.saved()["boxes"][0]
+            moved = desk.saved()["boxes"][:2]
             acknowledged = {one["seq"] for one in desk.heard if one["type"] == "ack"}
             arrived = [one for one in desk.sent if one.get("seq") in acknowledged]
-            assert any(moved in boxes_of(one) for one in arrived)
+            assert [box["label"] for box in moved] == ["TV unit", "TV"]
+            assert any(all(box in boxes_of(one) for box in moved) for one in arrived)
 
 
 def test_of_two_tabs_the_older_one_says_that_it_stopped_and_takes_the_room_back(
