@@ -99,8 +99,13 @@ def ask(
     seed: int,
     fold: int = 0,
 ) -> Record:
-    """The errors of systems in one case; the same whichever process and whatever else is asked."""
-    questions = _questions(case, knowledge, lessons, forest or {}, seed)
+    """The errors of systems in one case; the same whichever process and whatever else is asked.
+
+    Where there is no pose to choose from, as for a deep TV in a room without a table, nothing is
+    asked.
+    """
+    bench = Bench(case, knowledge.groups, lessons, forest or {})
+    questions = _questions(bench, knowledge, seed)
     found: dict[str, dict[Task, Errors]] = {}
     said: dict[str, Chances] = {}
     for system in systems:
@@ -127,23 +132,21 @@ def ask(
         fold=fold,
         errors=found,
         chances=said,
-        truth=physical(questions["joint"], case.box),
+        truth=physical(bench, case.box),
     )
 
 
-def _questions(
-    case: Case, knowledge: Knowledge, lessons: tuple[Lesson, ...], forest: Forest, seed: int
-) -> dict[Task, Bench]:
+def _questions(bench: Bench, knowledge: Knowledge, seed: int) -> dict[Task, Bench]:
     """The tasks of a case. Emptier rooms are asked of a share of the cases, both or none."""
-    bench = Bench(case, knowledge.groups, lessons, forest)
+    case = bench.case
     questions: dict[Task, Bench] = {"position": bench, "joint": bench}
     if has_front(bench):
         questions["orientation"] = bench
     if _rng(seed, case.key, "emptier").random() < EMPTIER_SHARE:
         names = [group.name for group in knowledge.groups]
         for task, one in zip(EMPTIER, emptier(case, len(EMPTIER), names), strict=False):
-            questions[task] = Bench(one, knowledge.groups, lessons, forest)
-    return questions
+            questions[task] = Bench(one, knowledge.groups, bench.lessons, bench.forest)
+    return {task: one for task, one in questions.items() if len(one.table(FORMS[task]).candidates)}
 
 
 def _rng(seed: int, *words: str) -> np.random.Generator:

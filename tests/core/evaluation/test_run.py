@@ -2,14 +2,19 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 
+import numpy as np
 import pytest
+from msgspec import structs
 
 from scenegen_core.errors import DataError
 from scenegen_core.evaluation.jobs import Job, cross_validated, held_out, left_out, taught
 from scenegen_core.evaluation.records import Journal, Record
+from scenegen_core.evaluation.report import write_report
 from scenegen_core.evaluation.run import run
+from scenegen_core.evaluation.summary import summarize
 from scenegen_core.knowledge import learn
 from scenegen_core.scene.model import PAPER_CATEGORIES, Scene
 from tests.core.evaluation.made import SETTINGS, TELEVISION, bedroom
@@ -71,6 +76,27 @@ def test_other_systems_do_not_change_the_numbers_of_one(
     alone = run(jobs[:1], Journal(None, SETTINGS), systems=("random_open",), seed=1)
     for record, among in zip(alone, records, strict=False):
         assert record.errors["random_open"] == among.errors["random_open"]
+
+
+def test_where_there_is_nothing_to_choose_from_nothing_is_asked(tmp_path: Path) -> None:
+    deep = replace(TELEVISION, size=(0.6, 1.0, 0.6))
+    low = replace(
+        ROOMS[0].boxes[1], category="Table", size=(0.6, 1.0, 0.5), center=(2.5, 0.3, 0.25)
+    )
+    rooms = [
+        replace(room, boxes=(room.boxes[0], *([low] if i else []), deep))
+        for i, room in enumerate(ROOMS)
+    ]
+    jobs = list(cross_validated(rooms, PAPER_CATEGORIES, 2, seed=1))
+    found = asked(jobs)
+    (nowhere,) = (r for r in found if r.case == "flats:home0/bedroom#tv")
+    assert "joint" not in nowhere.errors["random_open"]
+    assert "orientation" in nowhere.errors["random_open"]
+    others = [r for r in found if r.category == "TV" and r is not nowhere]
+    assert all("joint" in r.errors["random_open"] for r in others)
+    settings = structs.replace(SETTINGS, systems=SYSTEMS)
+    write_report(tmp_path, settings, found, summarize(found, rng=np.random.default_rng(1)))
+    assert "TV" in (tmp_path / "results.md").read_text()
 
 
 def test_an_interrupted_run_goes_on_where_it_stopped(
