@@ -569,6 +569,21 @@ def meter(page: Page) -> dict[str, Any]:
     return read
 
 
+EVERYTHING = {
+    "samplingInterval": 1024,
+    "includeObjectsCollectedByMajorGC": True,
+    "includeObjectsCollectedByMinorGC": True,
+}
+"""Also what is gone again by the end counts."""
+
+
+def allocated(node: dict[str, Any], files: tuple[str, ...]) -> float:
+    """Bytes that functions of these files have made since the sampling began."""
+    name = node["callFrame"]["url"].rsplit("/", 1)[-1]
+    own = float(node["selfSize"]) if name.startswith(files) else 0.0
+    return own + sum(allocated(child, files) for child in node["children"])
+
+
 def prepared(page: Page) -> None:
     page.add_init_script(METER)
     remember(page, furnished(8))
@@ -586,6 +601,8 @@ def test_twelve_boxes_stay_within_the_means_of_a_phone_over_600_frames(
         take_picture(phone.page, "ar-twelve")
         phone.rest(30)
         phone.page.evaluate("globalThis.meter.most = [0, 0]")
+        profiler = phone.page.context.new_cdp_session(phone.page)
+        profiler.send("HeapProfiler.startSampling", EVERYTHING)
         before, alive, begin = (
             things_kept(phone.page),
             meter(phone.page)["alive"],
@@ -599,6 +616,9 @@ def test_twelve_boxes_stay_within_the_means_of_a_phone_over_600_frames(
         assert 1_000 < triangles <= 150_000
         assert meter(phone.page)["alive"] == alive
         assert things_kept(phone.page) - before < 100  # of 600 frames
+        profile = profiler.send("HeapProfiler.stopSampling")["profile"]
+        frames = meter(phone.page)["frames"] - begin
+        assert allocated(profile["head"], ("index-", "ar_view-")) < 8_000 * frames
 
 
 def test_the_emulator_is_no_part_of_the_page() -> None:

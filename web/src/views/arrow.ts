@@ -16,6 +16,7 @@ export class FloorArrow extends Mesh<ShapeGeometry, MeshBasicMaterial> {
       opacity: 0.92,
       depthWrite: false,
       side: DoubleSide,
+      forceSinglePass: true, // it is flat: two passes would renew its program every frame
       toneMapped: false,
     });
     super(new ShapeGeometry(shape), material);

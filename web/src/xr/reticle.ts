@@ -61,6 +61,7 @@ function flat(geometry: RingGeometry, color: string, opacity: number, order: num
     depthTest: false,
     depthWrite: false,
     side: DoubleSide,
+    forceSinglePass: true, // it is flat: two passes would renew its program every frame
     toneMapped: false,
   });
   const mesh = new Mesh(geometry, material);
