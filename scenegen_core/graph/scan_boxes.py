@@ -128,11 +128,12 @@ def look_at_neighbors(
         if not (group_of == group).any():
             rows[:], beyond[group] = np.nan, np.nan
             continue
-        nearest, near, on = rows[0], rows[1], rows[9]
+        nearest, near, on, top, long = rows[0], rows[1], rows[9], rows[10], rows[11]
         nearest[:], near[:], on[:], which[:] = math.inf, 0.0, 0.0, 0
         for k in range(len(boxes)):
             if group_of[k] != group:
                 continue
+            upper, longer = box_tops[k], 2 * max(boxes[k, 4], boxes[k, 5])
             for n in range(len(headings)):
                 away = gaps[k, n]
                 near[n] += 1.0 if away < NEAR - TIE else 0.0
@@ -141,13 +142,18 @@ def look_at_neighbors(
                 nearer = away < nearest[n] - TIE
                 which[n] = k if nearer else which[n]
                 nearest[n] = away if nearer else nearest[n]
+                top[n] = upper if nearer else top[n]
+                long[n] = longer if nearer else long[n]
+        for n in range(len(headings)):
+            in_view = nearest[n] < IN_VIEW - TIE
+            top[n] = top[n] if in_view else math.nan
+            long[n] = long[n] if in_view else math.nan
         _look_at_nearest(
             poses,
             headings,
             symmetric,
             boxes,
             box_headings,
-            box_tops,
             fronts_known,
             which,
             rows,
@@ -162,7 +168,6 @@ def _look_at_nearest(
     symmetric: bool,  # noqa: FBT001
     boxes: Floats,
     box_headings: Floats,
-    box_tops: Floats,
     fronts_known: Bools,
     which: Ints,
     rows: Floats,
@@ -190,9 +195,6 @@ def _look_at_nearest(
         rows[6, n] = (1.0 if faced else 0.0) if front else np.nan
         rows[7, n] = min(abs(dy * cos[n] - dx * sin[n]), FAR)
         rows[8, n] = between(-1.0, beside, FAR)
-        in_view = rows[0, n] < IN_VIEW - TIE
-        rows[10, n] = box_tops[k] if in_view else np.nan
-        rows[11, n] = 2 * max(half_depth, half_width) if in_view else np.nan
 
 
 @compiled
