@@ -62,7 +62,7 @@ ROOM: Record = {
 }
 CORNERS = ROOM["room"]["corners"]
 CENTIMETER = 0.01
-STEPS = 60  # at one a second and a half, four boxes and a sofa take a minute and a half at most
+STEPS = 30  # taps; at two seconds each, a minute
 
 # What a page could read a picture by.
 READERS = """
