@@ -68,10 +68,10 @@ def test_while_it_is_open_keys_leave_the_room_alone(desktop: Page) -> None:
 
 def test_it_can_be_asked_again_when_the_server_is_back(browser: Browser, server_url: str) -> None:
     with desk_at(browser, server_url, tolerated="Failed to load resource") as desk:
-        desk.page.route("**/knowledge.json", lambda route: route.abort())
+        desk.page.context.set_offline(True)
         desk.page.keyboard.press("k")
         expect(dialog(desk.page)).to_contain_text("can't be reached now")
-        desk.page.unroute("**/knowledge.json")
+        desk.page.context.set_offline(False)
         desk.button("Try again").press("Enter")
         expect(dialog(desk.page)).to_contain_text("It has seen")
         expect(dialog(desk.page).get_by_role("button", name="Close")).to_be_focused()
